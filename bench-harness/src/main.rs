@@ -1,0 +1,2 @@
+//! hullbench.
+fn main() {}

@@ -1,0 +1,1 @@
+//! Hulls by merging the hulls of two halves, after Preparata and Hong.

@@ -1,0 +1,131 @@
+//! The last stage: coordinates as integers times one common power of two.
+//!
+//! A finite `f64` is an integer of at most 53 bits times a power of two. Dividing all coordinates of a
+//! question by the least of those powers leaves integers, and the sign of the determinant is unchanged.
+//! The integers have at most 53 + 2045 bits; a question whose exponents lie together (the usual case) is
+//! answered with few limbs, any other with enough for the whole range of `f64`.
+
+use super::integer::Integer;
+use crate::points::{Point2, Point3};
+use crate::sign::Sign;
+
+/// Limbs for coordinates that span at most [`NARROW_BITS`] bits: a determinant of degree 4 needs
+/// 4 · (NARROW_BITS + 1) + 5 bits.
+const NARROW: usize = 8;
+const NARROW_BITS: u32 = 125;
+
+/// Limbs for any finite coordinates: 4 · (2098 + 1) + 5 bits.
+const WIDE: usize = 132;
+
+/// The sign of (b-a) × (d-c).
+pub(super) fn cross(a: Point2, b: Point2, c: Point2, d: Point2) -> Sign {
+    fn evaluate<const L: usize>(points: &[Point2; 4], least: i32) -> Sign {
+        let [a, b, c, d] = points.map(|p| p.map(|x| integer::<L>(x, least)));
+        let left = b[0].sub(&a[0]).mul(&d[1].sub(&c[1]));
+        let right = b[1].sub(&a[1]).mul(&d[0].sub(&c[0]));
+        left.sub(&right).sign()
+    }
+    let points = [a, b, c, d];
+    match Span::of(points.as_flattened()) {
+        Span::Narrow(least) => evaluate::<NARROW>(&points, least),
+        Span::Wide(least) => evaluate::<WIDE>(&points, least),
+    }
+}
+
+/// The sign of (b-a) × (c-a) · (d-a).
+pub(super) fn orient_in_space(a: Point3, b: Point3, c: Point3, d: Point3) -> Sign {
+    fn evaluate<const L: usize>(points: &[Point3; 4], least: i32) -> Sign {
+        let [a, b, c, d] = points.map(|p| p.map(|x| integer::<L>(x, least)));
+        let from_a = |p: &[Integer<L>; 3]| [p[0].sub(&a[0]), p[1].sub(&a[1]), p[2].sub(&a[2])];
+        determinant(&from_a(&b), &from_a(&c), &from_a(&d)).sign()
+    }
+    let points = [a, b, c, d];
+    match Span::of(points.as_flattened()) {
+        Span::Narrow(least) => evaluate::<NARROW>(&points, least),
+        Span::Wide(least) => evaluate::<WIDE>(&points, least),
+    }
+}
+
+/// The sign of the in-circle determinant of a, b, c and d.
+pub(super) fn in_circle(a: Point2, b: Point2, c: Point2, d: Point2) -> Sign {
+    fn evaluate<const L: usize>(points: &[Point2; 4], least: i32) -> Sign {
+        let [a, b, c, d] = points.map(|p| p.map(|x| integer::<L>(x, least)));
+        let lifted = |p: &[Integer<L>; 2]| {
+            let (x, y) = (p[0].sub(&d[0]), p[1].sub(&d[1]));
+            let lift = x.mul(&x).add(&y.mul(&y));
+            [x, y, lift]
+        };
+        determinant(&lifted(&a), &lifted(&b), &lifted(&c)).sign()
+    }
+    let points = [a, b, c, d];
+    match Span::of(points.as_flattened()) {
+        Span::Narrow(least) => evaluate::<NARROW>(&points, least),
+        Span::Wide(least) => evaluate::<WIDE>(&points, least),
+    }
+}
+
+/// u × v · w, expanded along the third column.
+fn determinant<const L: usize>(
+    u: &[Integer<L>; 3],
+    v: &[Integer<L>; 3],
+    w: &[Integer<L>; 3],
+) -> Integer<L> {
+    let minor = |p: &[Integer<L>; 3], q: &[Integer<L>; 3]| p[0].mul(&q[1]).sub(&p[1].mul(&q[0]));
+    let first = u[2].mul(&minor(v, w));
+    let second = v[2].mul(&minor(w, u));
+    let third = w[2].mul(&minor(u, v));
+    first.add(&second).add(&third)
+}
+
+/// The least exponent among the coordinates of a question, and whether all of them fit [`NARROW_BITS`].
+enum Span {
+    Narrow(i32),
+    Wide(i32),
+}
+
+impl Span {
+    fn of(coordinates: &[f64]) -> Self {
+        let (mut least, mut top) = (i32::MAX, i32::MIN);
+        for &x in coordinates {
+            let (_, magnitude, exponent) = decompose(x);
+            if magnitude != 0 {
+                let low = exponent + magnitude.trailing_zeros() as i32;
+                let high = exponent + (64 - magnitude.leading_zeros()) as i32;
+                least = least.min(low);
+                top = top.max(high);
+            }
+        }
+        if least > top {
+            Span::Narrow(0)
+        } else if (top - least) as u32 <= NARROW_BITS {
+            Span::Narrow(least)
+        } else {
+            Span::Wide(least)
+        }
+    }
+}
+
+/// `x` / 2^`least`, which must be an integer.
+fn integer<const L: usize>(x: f64, least: i32) -> Integer<L> {
+    let (negative, magnitude, exponent) = decompose(x);
+    if magnitude == 0 {
+        return Integer::ZERO;
+    }
+    let zeros = magnitude.trailing_zeros();
+    let shift = exponent + zeros as i32 - least;
+    debug_assert!(shift >= 0, "least is the least exponent of all coordinates");
+    Integer::shifted(negative, magnitude >> zeros, shift as u32)
+}
+
+/// Sign, magnitude and exponent: `x` = ± magnitude · 2^exponent.
+fn decompose(x: f64) -> (bool, u64, i32) {
+    let bits = x.to_bits();
+    let fraction = bits & ((1 << 52) - 1);
+    let biased = (bits >> 52 & 0x7ff) as i32;
+    let (magnitude, exponent) = if biased == 0 {
+        (fraction, -1074)
+    } else {
+        (fraction | 1 << 52, biased - 1075)
+    };
+    (bits >> 63 == 1, magnitude, exponent)
+}

@@ -1,0 +1,84 @@
+//! The registry entry of an algorithm.
+//!
+//! Lists, tables, tests, traces and documentation iterate over entries; a new algorithm is one file and one
+//! entry in its crate's `METHODS`.
+
+use crate::error::HullError;
+use crate::hull2::{Boundary, Hull2};
+use crate::kernel::Kernel2;
+use crate::layers::Layers;
+use crate::observer::{Recorder, Tally};
+use crate::points::Points;
+
+/// An algorithm: what it is, what it promises, and how to run it.
+#[derive(Clone, Copy, Debug)]
+pub struct Method {
+    /// The name it is called by on the command line, in tables and in `data/`.
+    pub slug: &'static str,
+    /// Its name in the literature.
+    pub title: &'static str,
+    /// Who published it, where and when.
+    pub citation: &'static str,
+    /// Where it departs from the publication, and why; empty if nowhere.
+    pub departures: &'static [&'static str],
+    /// The promised cost in time, for n points and h vertices.
+    pub cost: &'static str,
+    /// What it computes, and the functions that do.
+    pub task: Task,
+}
+
+/// What a method computes.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub enum Task {
+    /// The convex hull of points of the plane.
+    PlanarHull(PlanarHull),
+    /// The convex layers of points of the plane.
+    PlanarLayers(PlanarLayers),
+}
+
+/// The ways to run a method whose result is `T`, each an instance of one generic source.
+macro_rules! planar_entry {
+    ($(#[$doc:meta])* $name:ident, $result:ty) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        pub struct $name {
+            /// With the exact kernel, unobserved: the instance that is timed.
+            pub exact: fn(Points<'_, 2>, Boundary) -> Result<$result, HullError>,
+            /// With any kernel, steps tallied: the instance for counts and for historical arithmetic.
+            pub tallied: fn(Points<'_, 2>, Boundary, &dyn Kernel2, &mut Tally) -> Result<$result, HullError>,
+            /// With any kernel, every step recorded: the instance for teaching.
+            pub recorded:
+                fn(Points<'_, 2>, Boundary, &dyn Kernel2, &mut Recorder) -> Result<$result, HullError>,
+        }
+    };
+}
+
+planar_entry!(
+    /// The instances of a planar hull method.
+    PlanarHull,
+    Hull2
+);
+planar_entry!(
+    /// The instances of a planar layers method.
+    PlanarLayers,
+    Layers
+);
+
+/// The [`Task`] of a generic function
+/// `fn<K: Kernel2, O: Observer>(Points<'_, 2>, Boundary, &K, &mut O) -> Result<R, HullError>`:
+/// `planar_task!(PlanarHull, my_hull)` for `R = Hull2`, `planar_task!(PlanarLayers, my_layers)` for `R = Layers`.
+#[macro_export]
+macro_rules! planar_task {
+    ($kind:ident, $function:path) => {
+        $crate::method::Task::$kind($crate::method::$kind {
+            exact: |points, boundary| {
+                $function(points, boundary, &$crate::Exact, &mut $crate::Silent)
+            },
+            tallied: |points, boundary, kernel, tally| $function(points, boundary, &kernel, tally),
+            recorded: |points, boundary, kernel, recorder| {
+                $function(points, boundary, &kernel, recorder)
+            },
+        })
+    };
+}

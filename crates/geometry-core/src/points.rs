@@ -1,0 +1,105 @@
+//! The validated view of the caller's points.
+
+use crate::error::HullError;
+use std::ops::Index;
+
+/// A point of the plane: x to the right, y up.
+pub type Point2 = [f64; 2];
+
+/// A point of space.
+pub type Point3 = [f64; 3];
+
+/// A slice of points whose coordinates are known to be finite and whose indices fit `u32`.
+///
+/// Made once at the door, so that no algorithm has a branch for NaN. Nothing is copied.
+///
+/// ```
+/// use geometry_core::{HullError, Points};
+/// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+/// let points = Points::new(&square)?;
+/// assert_eq!(points.len(), 4);
+/// assert_eq!(points[2], [1.0, 1.0]);
+///
+/// let error = Points::new(&[[0.0, 0.0], [1.0, f64::NAN]]).unwrap_err();
+/// assert!(matches!(error, HullError::NotFinite { index: 1, axis: 1, .. }));
+/// # Ok::<(), HullError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Points<'a, const D: usize> {
+    slice: &'a [[f64; D]],
+}
+
+impl<'a, const D: usize> Points<'a, D> {
+    /// Validates `slice`: every coordinate finite, fewer than 2³² points.
+    ///
+    /// # Errors
+    ///
+    /// [`HullError::NotFinite`] names the first offending index and axis; [`HullError::TooManyPoints`]
+    /// the count.
+    ///
+    /// # Cost
+    ///
+    /// One pass, no allocation.
+    pub fn new(slice: &'a [[f64; D]]) -> Result<Self, HullError> {
+        if u32::try_from(slice.len()).is_err() {
+            return Err(HullError::TooManyPoints { count: slice.len() });
+        }
+        // x - x is zero for a finite x and NaN otherwise. Summing over a block keeps the pass branch-free.
+        for (number, block) in slice.chunks(Self::BLOCK).enumerate() {
+            let mut sum = 0.0;
+            for &coordinate in block.as_flattened() {
+                sum += coordinate - coordinate;
+            }
+            if sum.is_nan() {
+                return Err(Self::first_not_finite(slice, number * Self::BLOCK));
+            }
+        }
+        Ok(Self { slice })
+    }
+
+    const BLOCK: usize = 256;
+
+    #[cold]
+    fn first_not_finite(slice: &[[f64; D]], from: usize) -> HullError {
+        for (index, point) in slice.iter().enumerate().skip(from) {
+            for (axis, &value) in point.iter().enumerate() {
+                if !value.is_finite() {
+                    return HullError::NotFinite { index, axis, value };
+                }
+            }
+        }
+        unreachable!("called only for a block that holds a coordinate that is not finite")
+    }
+
+    /// How many points there are.
+    #[inline(always)]
+    pub fn len(self) -> usize {
+        self.slice.len()
+    }
+
+    /// Whether there are none.
+    #[inline(always)]
+    pub fn is_empty(self) -> bool {
+        self.slice.is_empty()
+    }
+
+    /// The indices of all points, in order.
+    #[inline(always)]
+    pub fn ids(self) -> std::ops::Range<u32> {
+        0..self.slice.len() as u32
+    }
+
+    /// The caller's slice.
+    #[inline(always)]
+    pub fn as_slice(self) -> &'a [[f64; D]] {
+        self.slice
+    }
+}
+
+impl<const D: usize> Index<u32> for Points<'_, D> {
+    type Output = [f64; D];
+    #[inline(always)]
+    fn index(&self, id: u32) -> &[f64; D] {
+        &self.slice[id as usize]
+    }
+}

@@ -1,0 +1,1 @@
+//! Hulls by gift wrapping, after Jarvis.

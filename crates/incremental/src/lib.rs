@@ -1,0 +1,1 @@
+//! Hulls by inserting one point at a time.

@@ -1,0 +1,1 @@
+//! Green and Silverman's hull and peels, Graham's scan, Andrew's monotone chain.

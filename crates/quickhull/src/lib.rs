@@ -1,0 +1,1 @@
+//! Quickhull in its historical and modern forms.
