@@ -1,0 +1,1 @@
+//! The papers, regenerated and judged.
