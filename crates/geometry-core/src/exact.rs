@@ -78,6 +78,13 @@ impl Kernel3 for Exact {
 /// Half the distance from 1 to the next `f64`: the largest relative error of one rounding.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
 
+/// Bounds the relative error of adding the terms of an expansion (Shewchuk's result bound).
+const RESULT: f64 = (3.0 + 8.0 * ROUNDING) * ROUNDING;
+
+/// 2⁻¹⁰⁰⁰: enters a permanent wherever a product may underflow. Far more than any underflow error even after
+/// multiplication by a filter's constant, and far less than any permanent that does not itself nearly underflow.
+const UNDERFLOW: f64 = f64::from_bits((1023 - 1000) << 52);
+
 /// Whether each coordinate is zero or has a magnitude in `smallest..=largest`.
 fn within(coordinates: &[f64], smallest: f64, largest: f64) -> bool {
     coordinates

@@ -1,10 +1,102 @@
 //! Orientation in space: (b-a) × (c-a) · (d-a).
-use super::scaled;
+
+use super::expansion::{Expansion, difference_of_products, difference_tail};
+use super::{RESULT, ROUNDING, UNDERFLOW, scaled, within};
 use crate::kernel::Stage;
 use crate::points::Point3;
 use crate::sign::Sign;
 
-/// TODO
+/// Shewchuk's bound A, relative to the permanent.
+const FILTER: f64 = (7.0 + 56.0 * ROUNDING) * ROUNDING;
+
+/// Bound B: only the differences are rounded.
+const ROUNDED_DIFFERENCES: f64 = (3.0 + 28.0 * ROUNDING) * ROUNDING;
+
+/// Bound C: the roundoff of the differences added to first order.
+const FIRST_ORDER: f64 = (26.0 + 288.0 * ROUNDING) * ROUNDING * ROUNDING;
+
+/// Magnitudes for which no term of the adaptive stage overflows or loses a bit: a product of three differences
+/// is a multiple of 2^(3·(-300-52)) ≥ 2^-1074 and below 2^(3·332).
+const SMALLEST: f64 = f64::from_bits((1023 - 300) << 52);
+const LARGEST: f64 = f64::from_bits((1023 + 330) << 52);
+
+/// The sign of (b-a) × (c-a) · (d-a), and the stage that settled it.
+///
+/// The filter is right on all finite input: each product that underflows is off by at most 2⁻¹⁰⁷⁵, times the
+/// third factor where it is one of the inner products, and [`UNDERFLOW`] enters the permanent in each of those
+/// places; overflow makes the permanent, which is never less than |det|, infinite or NaN.
+#[inline(always)]
 pub(super) fn orient(a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage) {
+    let u = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+    let v = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
+    let w = [d[0] - a[0], d[1] - a[1], d[2] - a[2]];
+    let (vw, wv) = (v[0] * w[1], v[1] * w[0]);
+    let (wu, uw) = (w[0] * u[1], w[1] * u[0]);
+    let (uv, vu) = (u[0] * v[1], u[1] * v[0]);
+    let det = u[2] * (vw - wv) + v[2] * (wu - uw) + w[2] * (uv - vu);
+    let permanent = u[2].abs() * (vw.abs() + wv.abs() + UNDERFLOW)
+        + v[2].abs() * (wu.abs() + uw.abs() + UNDERFLOW)
+        + w[2].abs() * (uv.abs() + vu.abs() + UNDERFLOW)
+        + UNDERFLOW;
+    if det.abs() > FILTER * permanent {
+        let sign = if det > 0.0 {
+            Sign::Positive
+        } else {
+            Sign::Negative
+        };
+        return (sign, Stage::Filter);
+    }
+    orient_closely(a, b, c, d, permanent)
+}
+
+#[cold]
+#[inline(never)]
+fn orient_closely(a: Point3, b: Point3, c: Point3, d: Point3, permanent: f64) -> (Sign, Stage) {
+    if within([a, b, c, d].as_flattened(), SMALLEST, LARGEST) {
+        if let Some(sign) = orient_adaptively(a, b, c, d, permanent) {
+            return (sign, Stage::Adaptive);
+        }
+    }
     (scaled::orient_in_space(a, b, c, d), Stage::Integer)
+}
+
+/// Shewchuk's stages B and C. What they leave open goes to the integers, which at these lengths are as fast
+/// as his stage D.
+fn orient_adaptively(a: Point3, b: Point3, c: Point3, d: Point3, permanent: f64) -> Option<Sign> {
+    let minus_a = |p: Point3| std::array::from_fn::<f64, 3, _>(|i| p[i] - a[i]);
+    let [u, v, w] = [b, c, d].map(minus_a);
+    let minor = |p: &Point3, q: &Point3| difference_of_products(p[0], q[1], p[1], q[0]);
+    let first: Expansion<8> = minor(&v, &w).times(u[2]);
+    let second: Expansion<8> = minor(&w, &u).times(v[2]);
+    let third: Expansion<8> = minor(&u, &v).times(w[2]);
+    let rounded: Expansion<16> = first.plus(&second);
+    let rounded: Expansion<24> = rounded.plus(&third);
+
+    let tail = |p: Point3, rounded: &Point3| {
+        std::array::from_fn::<f64, 3, _>(|i| difference_tail(p[i], a[i], rounded[i]))
+    };
+    let [u_tail, v_tail, w_tail] = [tail(b, &u), tail(c, &v), tail(d, &w)];
+    if [u_tail, v_tail, w_tail]
+        .as_flattened()
+        .iter()
+        .all(|&t| t == 0.0)
+    {
+        return Some(rounded.sign());
+    }
+    let mut det = rounded.estimate();
+    if det.abs() > ROUNDED_DIFFERENCES * permanent {
+        return Some(Sign::of(det));
+    }
+    let bound = FIRST_ORDER * permanent + RESULT * det.abs();
+    // The derivative of p[2]·(q × r) in the tails.
+    let first_order =
+        |p: &Point3, q: &Point3, r: &Point3, p_tail: &Point3, q_tail: &Point3, r_tail: &Point3| {
+            let minor_tail =
+                (q[0] * r_tail[1] + r[1] * q_tail[0]) - (q[1] * r_tail[0] + r[0] * q_tail[1]);
+            p[2] * minor_tail + p_tail[2] * (q[0] * r[1] - q[1] * r[0])
+        };
+    det += first_order(&u, &v, &w, &u_tail, &v_tail, &w_tail)
+        + first_order(&v, &w, &u, &v_tail, &w_tail, &u_tail)
+        + first_order(&w, &u, &v, &w_tail, &u_tail, &v_tail);
+    (det.abs() > bound).then(|| Sign::of(det))
 }
