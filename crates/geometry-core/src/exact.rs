@@ -70,7 +70,7 @@ impl InCircle for Exact {
 
 impl Kernel3 for Exact {
     #[inline(always)]
-    fn orient_staged(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage) {
+    fn orient3_staged(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage) {
         spatial::orient(a, b, c, d)
     }
 }

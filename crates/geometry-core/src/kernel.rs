@@ -140,14 +140,14 @@ pub trait InCircle {
 
 /// The questions about points of space.
 pub trait Kernel3 {
-    /// [`orient`](Self::orient), with the stage that settled it.
-    fn orient_staged(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage);
+    /// [`orient3`](Self::orient3), with the stage that settled it.
+    fn orient3_staged(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage);
 
     /// The orientation of the tetrahedron abcd: the sign of (b-a) × (c-a) · (d-a). `Positive` if, seen from
     /// d, the triangle abc runs anticlockwise.
     #[inline(always)]
-    fn orient(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> Sign {
-        self.orient_staged(a, b, c, d).0
+    fn orient3(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> Sign {
+        self.orient3_staged(a, b, c, d).0
     }
 }
 

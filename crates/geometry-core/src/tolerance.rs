@@ -43,9 +43,9 @@ impl<F: Format> Tolerance<F> {
     /// The area of the triangle abc as this format computes it, positive if anticlockwise.
     pub fn area(&self, a: Point2, b: Point2, c: Point2) -> f64 {
         let [a, b, c] = [a, b, c].map(|p| p.map(F::of));
-        let left = b[0].sub(a[0]).mul(c[1].sub(a[1]));
-        let right = b[1].sub(a[1]).mul(c[0].sub(a[0]));
-        left.sub(right).mul(F::of(0.5)).to_f64()
+        let left = b[0].minus(a[0]).times(c[1].minus(a[1]));
+        let right = b[1].minus(a[1]).times(c[0].minus(a[0]));
+        left.minus(right).times(F::of(0.5)).to_f64()
     }
 }
 
@@ -78,7 +78,7 @@ impl<F: Format> Kernel2 for Tolerance<F> {
     fn compare_along(&self, a: Point2, b: Point2, p: Point2, q: Point2) -> Ordering {
         let [from, to] = [a, b].map(|p| p.map(F::of));
         let [p, q] = [p, q].map(|p| p.map(|x| F::of(x).to_f64()));
-        let extent = [0, 1].map(|axis| to[axis].sub(from[axis]).to_f64());
+        let extent = [0, 1].map(|axis| to[axis].minus(from[axis]).to_f64());
         let axis = usize::from(extent[1].abs() > extent[0].abs());
         let forward = p[axis].total_cmp(&q[axis]);
         if extent[axis] < 0.0 {
@@ -95,7 +95,7 @@ impl<F: Format> Kernel2 for Tolerance<F> {
     /// By the polar angle itself, so that the order is total however the tolerance is chosen.
     fn compare_angle(&self, center: Point2, a: Point2, b: Point2) -> Ordering {
         let angle = |p: Point2| {
-            let [x, y] = [0, 1].map(|axis| F::of(p[axis]).sub(F::of(center[axis])).to_f64());
+            let [x, y] = [0, 1].map(|axis| F::of(p[axis]).minus(F::of(center[axis])).to_f64());
             if x == 0.0 && y == 0.0 {
                 return f64::NEG_INFINITY;
             }

@@ -50,7 +50,7 @@ impl<const LIMBS: usize> Integer<LIMBS> {
         }
     }
 
-    pub(super) fn add(&self, other: &Self) -> Self {
+    pub(super) fn plus(&self, other: &Self) -> Self {
         if self.negative == other.negative {
             return self.add_magnitudes(other);
         }
@@ -61,14 +61,14 @@ impl<const LIMBS: usize> Integer<LIMBS> {
         }
     }
 
-    pub(super) fn sub(&self, other: &Self) -> Self {
+    pub(super) fn minus(&self, other: &Self) -> Self {
         let mut negated = *other;
         negated.negative = !other.negative && other.len > 0;
-        self.add(&negated)
+        self.plus(&negated)
     }
 
     /// Schoolbook: at these lengths (mostly one to four limbs) nothing is faster.
-    pub(super) fn mul(&self, other: &Self) -> Self {
+    pub(super) fn times(&self, other: &Self) -> Self {
         if self.len == 0 || other.len == 0 {
             return Self::ZERO;
         }
@@ -197,7 +197,7 @@ mod tests {
         let shift = rng.random_range(0..120);
         let x = Small::shifted(rng.random(), magnitude, shift);
         let unit = Small::shifted(rng.random(), rng.random_range(0..3), 0);
-        x.add(&unit)
+        x.plus(&unit)
     }
 
     #[test]
@@ -205,11 +205,11 @@ mod tests {
         let mut rng = ChaCha8Rng::seed_from_u64(1);
         for _ in 0..200_000 {
             let (x, y, z) = (random(&mut rng), random(&mut rng), random(&mut rng));
-            let product = x.mul(&y);
+            let product = x.times(&y);
             assert_eq!(big(&product), big(&x) * big(&y));
-            let sum = product.add(&z);
+            let sum = product.plus(&z);
             assert_eq!(big(&sum), big(&x) * big(&y) + big(&z));
-            let difference = product.sub(&z.mul(&y));
+            let difference = product.minus(&z.times(&y));
             let expected = big(&x) * big(&y) - big(&z) * big(&y);
             assert_eq!(big(&difference), expected);
             assert_eq!(difference.sign() == Sign::Zero, expected == BigInt::ZERO);

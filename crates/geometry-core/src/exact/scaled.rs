@@ -21,9 +21,9 @@ const WIDE: usize = 132;
 pub(super) fn cross(a: Point2, b: Point2, c: Point2, d: Point2) -> Sign {
     fn evaluate<const L: usize>(points: &[Point2; 4], least: i32) -> Sign {
         let [a, b, c, d] = points.map(|p| p.map(|x| integer::<L>(x, least)));
-        let left = b[0].sub(&a[0]).mul(&d[1].sub(&c[1]));
-        let right = b[1].sub(&a[1]).mul(&d[0].sub(&c[0]));
-        left.sub(&right).sign()
+        let left = b[0].minus(&a[0]).times(&d[1].minus(&c[1]));
+        let right = b[1].minus(&a[1]).times(&d[0].minus(&c[0]));
+        left.minus(&right).sign()
     }
     let points = [a, b, c, d];
     match Span::of(points.as_flattened()) {
@@ -36,7 +36,8 @@ pub(super) fn cross(a: Point2, b: Point2, c: Point2, d: Point2) -> Sign {
 pub(super) fn orient_in_space(a: Point3, b: Point3, c: Point3, d: Point3) -> Sign {
     fn evaluate<const L: usize>(points: &[Point3; 4], least: i32) -> Sign {
         let [a, b, c, d] = points.map(|p| p.map(|x| integer::<L>(x, least)));
-        let from_a = |p: &[Integer<L>; 3]| [p[0].sub(&a[0]), p[1].sub(&a[1]), p[2].sub(&a[2])];
+        let from_a =
+            |p: &[Integer<L>; 3]| [p[0].minus(&a[0]), p[1].minus(&a[1]), p[2].minus(&a[2])];
         determinant(&from_a(&b), &from_a(&c), &from_a(&d)).sign()
     }
     let points = [a, b, c, d];
@@ -51,8 +52,8 @@ pub(super) fn in_circle(a: Point2, b: Point2, c: Point2, d: Point2) -> Sign {
     fn evaluate<const L: usize>(points: &[Point2; 4], least: i32) -> Sign {
         let [a, b, c, d] = points.map(|p| p.map(|x| integer::<L>(x, least)));
         let lifted = |p: &[Integer<L>; 2]| {
-            let (x, y) = (p[0].sub(&d[0]), p[1].sub(&d[1]));
-            let lift = x.mul(&x).add(&y.mul(&y));
+            let (x, y) = (p[0].minus(&d[0]), p[1].minus(&d[1]));
+            let lift = x.times(&x).plus(&y.times(&y));
             [x, y, lift]
         };
         determinant(&lifted(&a), &lifted(&b), &lifted(&c)).sign()
@@ -70,11 +71,12 @@ fn determinant<const L: usize>(
     v: &[Integer<L>; 3],
     w: &[Integer<L>; 3],
 ) -> Integer<L> {
-    let minor = |p: &[Integer<L>; 3], q: &[Integer<L>; 3]| p[0].mul(&q[1]).sub(&p[1].mul(&q[0]));
-    let first = u[2].mul(&minor(v, w));
-    let second = v[2].mul(&minor(w, u));
-    let third = w[2].mul(&minor(u, v));
-    first.add(&second).add(&third)
+    let minor =
+        |p: &[Integer<L>; 3], q: &[Integer<L>; 3]| p[0].times(&q[1]).minus(&p[1].times(&q[0]));
+    let first = u[2].times(&minor(v, w));
+    let second = v[2].times(&minor(w, u));
+    let third = w[2].times(&minor(u, v));
+    first.plus(&second).plus(&third)
 }
 
 /// The least exponent among the coordinates of a question, and whether all of them fit [`NARROW_BITS`].

@@ -167,8 +167,8 @@ impl<K: InCircle> InCircle for Counted<K> {
 }
 
 impl<K: Kernel3> Kernel3 for Counted<K> {
-    fn orient_staged(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage) {
-        let answer = self.inner.orient_staged(a, b, c, d);
+    fn orient3_staged(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage) {
+        let answer = self.inner.orient3_staged(a, b, c, d);
         self.count(|n| n.orientations_in_space.add(answer.1));
         answer
     }

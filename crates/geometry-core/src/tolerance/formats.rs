@@ -9,9 +9,9 @@ pub trait Format: Copy {
     /// The number nearest to `x` in the sense of the format's rounding.
     fn of(x: f64) -> Self;
     /// The difference, rounded.
-    fn sub(self, other: Self) -> Self;
+    fn minus(self, other: Self) -> Self;
     /// The product, rounded.
-    fn mul(self, other: Self) -> Self;
+    fn times(self, other: Self) -> Self;
     /// The value as `f64` (rounded to nearest where `f64` is shorter).
     fn to_f64(self) -> f64;
 }
@@ -25,10 +25,10 @@ impl Format for Single {
     fn of(x: f64) -> Self {
         Self(x as f32)
     }
-    fn sub(self, other: Self) -> Self {
+    fn minus(self, other: Self) -> Self {
         Self(self.0 - other.0)
     }
-    fn mul(self, other: Self) -> Self {
+    fn times(self, other: Self) -> Self {
         Self(self.0 * other.0)
     }
     fn to_f64(self) -> f64 {
@@ -45,10 +45,10 @@ impl Format for Double {
     fn of(x: f64) -> Self {
         Self(x)
     }
-    fn sub(self, other: Self) -> Self {
+    fn minus(self, other: Self) -> Self {
         Self(self.0 - other.0)
     }
-    fn mul(self, other: Self) -> Self {
+    fn times(self, other: Self) -> Self {
         Self(self.0 * other.0)
     }
     fn to_f64(self) -> f64 {
@@ -68,11 +68,11 @@ macro_rules! soft_format {
             fn of(x: f64) -> Self {
                 Self(<$soft>::of(x))
             }
-            fn sub(self, other: Self) -> Self {
-                Self(self.0.sub(other.0))
+            fn minus(self, other: Self) -> Self {
+                Self(self.0.minus(other.0))
             }
-            fn mul(self, other: Self) -> Self {
-                Self(self.0.mul(other.0))
+            fn times(self, other: Self) -> Self {
+                Self(self.0.times(other.0))
             }
             fn to_f64(self) -> f64 {
                 self.0.to_f64()

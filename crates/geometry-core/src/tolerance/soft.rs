@@ -57,7 +57,7 @@ impl<const BASE: u32, const DIGITS: u32, const ROUNDING: u8> Soft<BASE, DIGITS, 
     }
 
     /// The product, shortened.
-    pub fn mul(self, other: Self) -> Self {
+    pub fn times(self, other: Self) -> Self {
         let product = u128::from(self.significand) * u128::from(other.significand);
         Self::shorten(
             self.negative != other.negative,
@@ -67,14 +67,14 @@ impl<const BASE: u32, const DIGITS: u32, const ROUNDING: u8> Soft<BASE, DIGITS, 
     }
 
     /// The difference, shortened.
-    pub fn sub(self, other: Self) -> Self {
-        self.add(Self {
+    pub fn minus(self, other: Self) -> Self {
+        self.plus(Self {
             negative: !other.negative,
             ..other
         })
     }
 
-    fn add(self, other: Self) -> Self {
+    fn plus(self, other: Self) -> Self {
         if other.significand == 0 {
             return self;
         }
