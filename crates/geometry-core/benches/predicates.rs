@@ -6,7 +6,9 @@
 #![allow(clippy::print_stdout, missing_docs)]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use geometry_core::{Counted, Exact, InCircle, Kernel2, Kernel3, Point2, Point3, Sign};
+use geometry_core::{
+    Counted, Exact, InCircle, Kernel2, Kernel3, Point2, Point3, Sign, StageCounts,
+};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::hint::black_box;
@@ -15,6 +17,9 @@ const QUESTIONS: usize = 2_000;
 
 /// A class of input: a name and its quadruples.
 type Class<P> = (&'static str, Vec<[P; 4]>);
+
+/// A contestant: its name and its answer.
+type Contestant<P> = (&'static str, fn(&[P; 4]) -> Sign);
 
 /// Moves `x` by up to two units in the last place.
 fn nudged(rng: &mut ChaCha8Rng, x: f64) -> f64 {
@@ -100,7 +105,7 @@ fn contest<P: Copy>(
     criterion: &mut Criterion,
     question: &str,
     classes: &[Class<P>],
-    contestants: &[(&str, fn(&[P; 4]) -> Sign)],
+    contestants: &[Contestant<P>],
 ) {
     for (class, quadruples) in classes {
         let mut group = criterion.benchmark_group(format!("{question}/{class}"));
@@ -209,38 +214,32 @@ fn in_circle(criterion: &mut Criterion) {
 /// Prints how many of the questions each stage settled.
 fn stages(_: &mut Criterion) {
     println!("questions settled by filter / adaptive / integer stage, of {QUESTIONS}");
-    for (name, quadruples) in collinear_classes() {
-        let kernel = Counted::new(Exact);
-        quadruples
-            .iter()
-            .for_each(|[a, b, c, _]| drop(black_box(kernel.orient(*a, *b, *c))));
-        let n = kernel.counts().orientations;
+    let print = |question: &str, class: &str, n: StageCounts| {
         println!(
-            "  orient2/{name}: {} / {} / {}",
+            "  {question}/{class}: {} / {} / {}",
             n.filter, n.adaptive, n.integer
         );
+    };
+    for (class, quadruples) in collinear_classes() {
+        let kernel = Counted::new(Exact);
+        for [a, b, c, _] in quadruples {
+            black_box(kernel.orient(a, b, c));
+        }
+        print("orient2", class, kernel.counts().orientations);
     }
-    for (name, quadruples) in coplanar_classes() {
+    for (class, quadruples) in coplanar_classes() {
         let kernel = Counted::new(Exact);
-        quadruples
-            .iter()
-            .for_each(|[a, b, c, d]| drop(black_box(kernel.orient3(*a, *b, *c, *d))));
-        let n = kernel.counts().orientations_in_space;
-        println!(
-            "  orient3/{name}: {} / {} / {}",
-            n.filter, n.adaptive, n.integer
-        );
+        for [a, b, c, d] in quadruples {
+            black_box(kernel.orient3(a, b, c, d));
+        }
+        print("orient3", class, kernel.counts().orientations_in_space);
     }
-    for (name, quadruples) in cocircular_classes() {
+    for (class, quadruples) in cocircular_classes() {
         let kernel = Counted::new(Exact);
-        quadruples
-            .iter()
-            .for_each(|[a, b, c, d]| drop(black_box(kernel.in_circle(*a, *b, *c, *d))));
-        let n = kernel.counts().in_circles;
-        println!(
-            "  in_circle/{name}: {} / {} / {}",
-            n.filter, n.adaptive, n.integer
-        );
+        for [a, b, c, d] in quadruples {
+            black_box(kernel.in_circle(a, b, c, d));
+        }
+        print("in_circle", class, kernel.counts().in_circles);
     }
 }
 

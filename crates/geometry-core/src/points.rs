@@ -44,11 +44,11 @@ impl<'a, const D: usize> Points<'a, D> {
         if u32::try_from(slice.len()).is_err() {
             return Err(HullError::TooManyPoints { count: slice.len() });
         }
-        // x - x is zero for a finite x and NaN otherwise. Summing over a block keeps the pass branch-free.
+        // 0 · x is zero for a finite x and NaN otherwise. Summing over a block keeps the pass branch-free.
         for (number, block) in slice.chunks(Self::BLOCK).enumerate() {
             let mut sum = 0.0;
             for &coordinate in block.as_flattened() {
-                sum += coordinate - coordinate;
+                sum += 0.0 * coordinate;
             }
             if sum.is_nan() {
                 return Err(Self::first_not_finite(slice, number * Self::BLOCK));

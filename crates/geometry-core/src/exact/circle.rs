@@ -56,10 +56,10 @@ pub(super) fn in_circle(a: Point2, b: Point2, c: Point2, d: Point2) -> (Sign, St
 #[cold]
 #[inline(never)]
 fn in_circle_closely(a: Point2, b: Point2, c: Point2, d: Point2, permanent: f64) -> (Sign, Stage) {
-    if within([a, b, c, d].as_flattened(), SMALLEST, LARGEST) {
-        if let Some(sign) = in_circle_adaptively(a, b, c, d, permanent) {
-            return (sign, Stage::Adaptive);
-        }
+    if within([a, b, c, d].as_flattened(), SMALLEST, LARGEST)
+        && let Some(sign) = in_circle_adaptively(a, b, c, d, permanent)
+    {
+        return (sign, Stage::Adaptive);
     }
     (scaled::in_circle(a, b, c, d), Stage::Integer)
 }

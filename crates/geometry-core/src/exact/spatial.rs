@@ -52,10 +52,10 @@ pub(super) fn orient(a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage
 #[cold]
 #[inline(never)]
 fn orient_closely(a: Point3, b: Point3, c: Point3, d: Point3, permanent: f64) -> (Sign, Stage) {
-    if within([a, b, c, d].as_flattened(), SMALLEST, LARGEST) {
-        if let Some(sign) = orient_adaptively(a, b, c, d, permanent) {
-            return (sign, Stage::Adaptive);
-        }
+    if within([a, b, c, d].as_flattened(), SMALLEST, LARGEST)
+        && let Some(sign) = orient_adaptively(a, b, c, d, permanent)
+    {
+        return (sign, Stage::Adaptive);
     }
     (scaled::orient_in_space(a, b, c, d), Stage::Integer)
 }

@@ -59,7 +59,7 @@ impl<K: Kernel2> Kernel2 for Perturbed<K> {
         q: Point2,
     ) -> (Ordering, Stage) {
         let (ordering, stage) = self.0.compare_distance_staged(a, b, p, q);
-        if ordering.is_ne() {
+        if ordering.is_ne() || p == q {
             return (ordering, stage);
         }
         let (p_on_line, q_on_line) = (p == a || p == b, q == a || q == b);
