@@ -44,13 +44,8 @@ impl<'a, const D: usize> Points<'a, D> {
         if u32::try_from(slice.len()).is_err() {
             return Err(HullError::TooManyPoints { count: slice.len() });
         }
-        // 0 · x is zero for a finite x and NaN otherwise. Summing over a block keeps the pass branch-free.
         for (number, block) in slice.chunks(Self::BLOCK).enumerate() {
-            let mut sum = 0.0;
-            for &coordinate in block.as_flattened() {
-                sum += 0.0 * coordinate;
-            }
-            if sum.is_nan() {
+            if !all_finite(block.as_flattened()) {
                 return Err(Self::first_not_finite(slice, number * Self::BLOCK));
             }
         }
@@ -94,6 +89,19 @@ impl<'a, const D: usize> Points<'a, D> {
     pub fn as_slice(self) -> &'a [[f64; D]] {
         self.slice
     }
+}
+
+/// Whether every coordinate is finite. 0 · x is zero for a finite x and NaN otherwise, and a NaN survives every
+/// addition; eight sums side by side leave no chain of dependent additions.
+fn all_finite(coordinates: &[f64]) -> bool {
+    let (octets, rest) = coordinates.as_chunks::<8>();
+    let mut sums = [0.0; 8];
+    for octet in octets {
+        for (sum, x) in sums.iter_mut().zip(octet) {
+            *sum += 0.0 * x;
+        }
+    }
+    !sums.iter().any(|sum| sum.is_nan()) && rest.iter().all(|x| x.is_finite())
 }
 
 impl<const D: usize> Index<u32> for Points<'_, D> {
