@@ -1,0 +1,234 @@
+//! Reading planar points from a text file.
+
+use super::columns::{self, Column, Header, TakenColumn};
+use super::delimiter::Delimiter;
+use super::error::{FileError, Problem, shortened};
+use super::records::{Failure, Record, Records};
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+
+/// What is known about a file beforehand; the default is nothing, and all is found out.
+///
+/// ```
+/// use point_sets::file::{Header, ReadOptions};
+/// let options = ReadOptions { header: Header::Absent, ..ReadOptions::default() };
+/// assert_eq!(options.columns, None);
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ReadOptions {
+    /// What separates fields; `None`: what the first record shows.
+    pub delimiter: Option<Delimiter>,
+    /// Whether the first record is a header.
+    pub header: Header,
+    /// The columns of x and y; `None`: those whose names are a pair of coordinates, such as x and y or lon
+    /// and lat, else the first two that hold numbers in the first record of data.
+    pub columns: Option<[Column; 2]>,
+}
+
+/// The points of a file, and how it was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointFile {
+    /// The points, in the order of the file; at least one, all finite, at most `u32::MAX`.
+    pub points: Vec<[f64; 2]>,
+    /// The line of each point, from 1.
+    pub rows: Vec<u64>,
+    /// The columns taken as x and y.
+    pub columns: [TakenColumn; 2],
+    /// The names of all columns, if there is a header.
+    pub header: Option<Vec<String>>,
+    /// What separates fields.
+    pub delimiter: Delimiter,
+}
+
+/// Reads the points of the text file `path`.
+///
+/// # Errors
+///
+/// [`FileError`] names the file, the line, the column and the remedy; see [`Problem`] for all there are.
+///
+/// # Cost
+///
+/// One pass; memory for the points and their lines only.
+///
+/// ```
+/// use point_sets::file::{ReadOptions, read2};
+/// let path = std::env::temp_dir().join(format!("point-sets-doc-{}.txt", std::process::id()));
+/// std::fs::write(&path, "# two towns\nname;lat;lon\nA;51.5;-0.1\nB;48.9;2.4\n")?;
+/// let file = read2(&path, &ReadOptions::default())?;
+/// assert_eq!(file.points, [[-0.1, 51.5], [2.4, 48.9]]);
+/// assert_eq!(file.rows, [3, 4]);
+/// assert_eq!(file.columns[0].to_string(), "field 3 (lon)");
+///
+/// std::fs::write(&path, "1,2\n3,4,5\n")?;
+/// let error = read2(&path, &ReadOptions::default()).unwrap_err();
+/// assert!(error.to_string().contains(".txt:2:5: 3 fields where line 1 has 2;"));
+/// # std::fs::remove_file(&path)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read2(path: &Path, options: &ReadOptions) -> Result<PointFile, FileError> {
+    let result = match File::open(path) {
+        Ok(file) => read_from(
+            BufReader::with_capacity(1 << 17, file),
+            options,
+            u32::MAX as usize,
+        ),
+        Err(error) => Err((None, Problem::Open(error))),
+    };
+    result.map_err(|(place, problem)| FileError {
+        path: path.to_owned(),
+        place,
+        problem,
+    })
+}
+
+fn read_from(
+    source: impl BufRead,
+    options: &ReadOptions,
+    limit: usize,
+) -> Result<PointFile, Failure> {
+    let mut records = Records::new(source, options.delimiter);
+    let asked = options.columns.as_ref();
+    let Some(mut record) = records.next()? else {
+        return Err(empty(
+            records.line(),
+            "the file is empty, or all comments and blank lines",
+        ));
+    };
+    let shape = Shape::of(record);
+    let header = columns::is_header(record, options.header, asked)?.then(|| record.names());
+    if header.is_some() {
+        // Names are resolved even if no record follows, so that a wrong one is what gets reported.
+        if asked.is_some() {
+            columns::choose(asked, header.as_deref().unwrap_or_default(), record)?;
+        }
+        let header_line = records.line();
+        record = match records.next()? {
+            Some(record) => record,
+            None => return Err(empty(header_line, "there is a header and nothing else")),
+        };
+        shape.check(record)?;
+    }
+    let indices = columns::choose(asked, header.as_deref().unwrap_or_default(), record)?;
+    let columns = indices.map(|index| TakenColumn {
+        number: index + 1,
+        name: header.as_ref().map(|names| names[index].clone()),
+    });
+
+    let mut points = Vec::new();
+    let mut rows = Vec::new();
+    loop {
+        shape.check(record)?;
+        if points.len() == limit {
+            return Err((Some(record.place(0)), Problem::TooManyPoints { limit }));
+        }
+        points.push([
+            coordinate(record, indices[0], &columns[0])?,
+            coordinate(record, indices[1], &columns[1])?,
+        ]);
+        rows.push(record.line);
+        record = match records.next()? {
+            Some(record) => record,
+            None => break,
+        };
+    }
+    Ok(PointFile {
+        points,
+        rows,
+        columns,
+        header,
+        delimiter: shape.delimiter,
+    })
+}
+
+/// How many fields every record must have.
+struct Shape {
+    fields: usize,
+    first_line: u64,
+    delimiter: Delimiter,
+}
+
+impl Shape {
+    fn of(first: Record<'_>) -> Self {
+        Shape {
+            fields: first.len(),
+            first_line: first.line,
+            delimiter: first.delimiter,
+        }
+    }
+
+    /// A failure at the first field too many, or where the first missing one would be.
+    fn check(&self, record: Record<'_>) -> Result<(), Failure> {
+        if record.len() == self.fields {
+            return Ok(());
+        }
+        let surplus = record.fields.get(self.fields).map(|field| field.start);
+        let place = record.place(surplus.unwrap_or(record.text.len()));
+        let problem = Problem::Ragged {
+            found: record.len(),
+            expected: self.fields,
+            first_line: self.first_line,
+            delimiter: self.delimiter.name(),
+        };
+        Err((Some(place), problem))
+    }
+}
+
+fn coordinate(record: Record<'_>, index: usize, column: &TakenColumn) -> Result<f64, Failure> {
+    let value = record.value(index);
+    match value.parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        parsed => Err(bad_coordinate(record, index, column, parsed.is_ok())),
+    }
+}
+
+#[cold]
+fn bad_coordinate(
+    record: Record<'_>,
+    index: usize,
+    column: &TakenColumn,
+    is_number: bool,
+) -> Failure {
+    let value = record.value(index);
+    let text = shortened(value, 40);
+    let problem = match value {
+        "" => Problem::Missing,
+        _ if is_number => Problem::NotFinite { text },
+        _ => Problem::NotANumber {
+            text,
+            remedy: remedy(value),
+        },
+    };
+    let mut place = record.place(record.fields[index].start);
+    place.field = Some(column.clone());
+    (Some(place), problem)
+}
+
+/// What is probably to be done about a field that is no number.
+fn remedy(value: &str) -> &'static str {
+    let among = |allowed: &str| {
+        value
+            .chars()
+            .all(|letter| letter.is_ascii_digit() || allowed.contains(letter))
+    };
+    match value.to_lowercase().as_str() {
+        "na" | "n/a" | "null" | "none" | "-" | "--" | "?" | "." => {
+            "it marks a missing value: fill it in or remove the line"
+        }
+        _ if among("+-.eE,") => "write a decimal point, and nothing between thousands",
+        _ if among("+-.dD") => "write the exponent with e, as in 1e-9",
+        _ if value.starts_with(|letter: char| letter.is_alphabetic()) => {
+            "if the line is a header, say that there is one; else choose other columns or correct it"
+        }
+        _ => "write it as 12.5, -3 or 1e-9, or choose other columns",
+    }
+}
+
+fn empty(line: u64, found: &'static str) -> Failure {
+    let place = super::Place {
+        line: line.max(1),
+        column: 1,
+        field: None,
+    };
+    (Some(place), Problem::Empty { found })
+}

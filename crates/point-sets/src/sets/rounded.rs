@@ -1,0 +1,51 @@
+//! Another set's points, rounded to decimals.
+//!
+//! ```text
+//!    ·            .  .  ·  .
+//!      · ·   -->  .  ·  ·  .      every point goes to the nearest point of a decimal grid;
+//!     ·   ·       .  ·  .  ·      some meet there, many become collinear
+//! ```
+//!
+//! What writing measurements down does to them.
+
+use crate::catalogue::{Entry, Kind, Parameter};
+
+pub(crate) const ENTRY: Entry = Entry {
+    name: "rounded",
+    summary: "another set's points, rounded to decimals",
+    parameters: &[
+        Parameter {
+            name: "of",
+            default: "normal",
+            meaning: "the set",
+            kind: Kind::Set,
+        },
+        DECIMALS,
+    ],
+    source: "how measured data is printed",
+    generate: |spec, n, seed| {
+        let decimals = spec.integer("decimals");
+        let mut points = spec.set("of").generate(n, seed)?;
+        for point in &mut points {
+            *point = to_decimals(*point, decimals);
+        }
+        Ok(points)
+    },
+};
+
+pub(crate) const DECIMALS: Parameter = Parameter {
+    name: "decimals",
+    default: "2",
+    meaning: "decimals to which coordinates are rounded",
+    kind: Kind::Integer { min: 0, max: 30 },
+};
+
+/// The doubles nearest to the coordinates' exact values written with so many decimals.
+pub(crate) fn to_decimals(point: [f64; 2], decimals: i64) -> [f64; 2] {
+    // Printing and reading are both correctly rounded. Adding zero turns -0 into 0.
+    point.map(|coordinate| {
+        let printed = format!("{coordinate:.*}", decimals as usize);
+        let read: f64 = printed.parse().expect("a printed number can be read");
+        read + 0.0
+    })
+}
