@@ -3,7 +3,11 @@
 //! | module | holds |
 //! |---|---|
 //! | [`commands`] | the subcommands on a user's own points |
+//! | [`output`] | how results leave the program: CSV, JSON, summaries; files that appear whole or not at all |
+//! | [`failure`] | why the program stops early, and the exit code that says so |
 //! | [`reproduce`] | the papers: definitions, experiments, tables, figures, verdicts |
 
 pub mod commands;
+pub mod failure;
+pub mod output;
 pub mod reproduce;

@@ -1,2 +1,63 @@
-//! hullbench.
-fn main() {}
+//! `hullbench`: convex hull algorithms run, certified and judged against the papers.
+//!
+//! This file parses the command line and dispatches; the work is in the library of the same package.
+
+use bench_harness::commands::{hull, methods, peel, points};
+use bench_harness::failure::Failure;
+use bench_harness::output::target::note;
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+const AFTER: &str = "\
+Results go to standard output, everything else to standard error. No result is shown that an independent
+checker has not certified.
+
+Examples:
+  hullbench hull points.csv -o hull.csv
+  hullbench peel --set oblique:cols=10,rows=10 --boundary all
+  hullbench points --list
+
+Exit codes:
+  0  done
+  1  a result could not be certified, or a claim does not hold
+  2  usage: an unknown option, method or point set
+  3  bad input data
+  4  a file could not be read or written";
+
+/// Convex hull algorithms run, certified and judged against the papers
+#[derive(Parser)]
+#[command(name = "hullbench", version, after_help = AFTER)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// The convex hull of points, certified
+    Hull(hull::Args),
+    /// The convex layers of points, their c-ranks and mid-ranks, certified
+    Peel(peel::Args),
+    /// A point set from the catalogue
+    Points(points::Args),
+    /// The registered methods: publication, cost, departures
+    Methods(methods::Args),
+}
+
+fn main() -> ExitCode {
+    let done = match Cli::parse().command {
+        Command::Hull(args) => hull::run(&args),
+        Command::Peel(args) => peel::run(&args),
+        Command::Points(args) => points::run(&args),
+        Command::Methods(args) => methods::run(&args),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            if !matches!(failure, Failure::Closed) {
+                note(&format!("error: {failure}"));
+            }
+            failure.exit_code()
+        }
+    }
+}

@@ -1,0 +1,21 @@
+//! How results leave the program.
+//!
+//! Results go to standard output or to a file; everything else goes to standard error. A file appears whole
+//! or not at all.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`target`] | where a result goes, in which format, and the one way to write it there |
+//! | [`atomic`] | files that appear whole or not at all |
+//! | [`rows`] | vertices and points as rows of CSV and JSON |
+//! | [`hull`], [`peel`], [`methods`], [`catalogue`] | each result as CSV, JSON or a summary for reading |
+//! | [`text`] | the pieces of a summary |
+
+pub mod atomic;
+pub mod catalogue;
+pub mod hull;
+pub mod methods;
+pub mod peel;
+pub mod rows;
+pub mod target;
+pub mod text;
