@@ -24,6 +24,7 @@
 //! | [`check`] | the certificate, in O(n log h) |
 //! | [`oracle`] | hulls and layers straight from the definition, in O(n² h) |
 //! | [`families`] | the degenerate point sets of the plane, by name |
+//! | [`conformance`] | the whole suite for any method, in one line |
 //!
 //! # Example
 //!
@@ -42,5 +43,6 @@
 
 pub mod arithmetic;
 pub mod check;
+pub mod conformance;
 pub mod families;
 pub mod oracle;
