@@ -15,8 +15,11 @@ pub struct Entry {
     pub parameters: &'static [Parameter],
     /// Where it comes from: who used it, and for what.
     pub source: &'static str,
-    pub(crate) generate: fn(&Spec, usize, u64) -> Result<Vec<[f64; 2]>, SpecError>,
+    pub(crate) generate: Generate,
 }
+
+/// Makes n points with the parameters of a spec and a seed.
+pub(crate) type Generate = fn(&Spec, usize, u64) -> Result<Vec<[f64; 2]>, SpecError>;
 
 /// One choice about a point set, written `name=value`.
 #[derive(Debug)]

@@ -51,6 +51,39 @@ impl Spec {
         self.entry
     }
 
+    /// The number of points that the parameters say there are: `cols` times `rows` if both are given, also
+    /// inside another set.
+    ///
+    /// ```
+    /// # use point_sets::Spec;
+    /// assert_eq!("lattice:cols=4,rows=5".parse::<Spec>()?.size(), Some(20));
+    /// assert_eq!("duplicated:of=(lattice:cols=4,rows=5),copies=3".parse::<Spec>()?.size(), Some(60));
+    /// assert_eq!("lattice:cols=4".parse::<Spec>()?.size(), None);
+    /// # Ok::<(), point_sets::SpecError>(())
+    /// ```
+    pub fn size(&self) -> Option<usize> {
+        let declares = |name| {
+            self.entry
+                .parameters
+                .iter()
+                .any(|declared| declared.name == name)
+        };
+        let (one, other) = if declares("of") {
+            let copies = if declares("copies") {
+                self.integer("copies") as usize
+            } else {
+                1
+            };
+            (self.set("of").size()?, copies)
+        } else if declares("cols") {
+            let [cols, rows] = ["cols", "rows"].map(|name| self.open_integer(name));
+            (cols? as usize, rows? as usize)
+        } else {
+            return None;
+        };
+        one.checked_mul(other)
+    }
+
     /// Makes `n` points of the set.
     ///
     /// The same spec, `n` and `seed` give the same bits on every machine. Sets without randomness ignore the

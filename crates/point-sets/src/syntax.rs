@@ -6,8 +6,11 @@ use crate::error::SpecError;
 /// How deep sets may be nested in sets.
 const DEPTH: usize = 8;
 
+/// A parameter's name and its value.
+type Pair<'a> = (&'a str, &'a str);
+
 /// The name and the `(parameter, value)` pairs of `text`, values without their parentheses.
-pub(crate) fn split(text: &str) -> Result<(&str, Vec<(&str, &str)>), SpecError> {
+pub(crate) fn split(text: &str) -> Result<(&str, Vec<Pair<'_>>), SpecError> {
     check_parentheses(text)?;
     let Some((name, rest)) = text.split_once(':') else {
         return Ok((text.trim(), Vec::new()));

@@ -15,9 +15,8 @@ pub struct FileError {
     /// The file, as it was named.
     pub path: PathBuf,
     /// The place in it; `None` if the file could not be opened.
-    pub place: Option<Place>,
+    pub place: Option<Box<Place>>,
     /// What is wrong there.
-    #[source]
     pub problem: Problem,
 }
 

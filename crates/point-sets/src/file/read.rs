@@ -77,7 +77,7 @@ pub fn read2(path: &Path, options: &ReadOptions) -> Result<PointFile, FileError>
     };
     result.map_err(|(place, problem)| FileError {
         path: path.to_owned(),
-        place,
+        place: place.map(Box::new),
         problem,
     })
 }
