@@ -1,5 +1,7 @@
 //! Green and Silverman's hull and peels, Graham's scan, Andrew's monotone chain.
 
+pub mod chain_peel;
+pub mod graham;
 pub mod gs;
 pub mod monotone_chain;
 pub mod peel;
@@ -42,6 +44,17 @@ pub const METHODS: &[Method] = &[
         task: planar_task!(PlanarLayers, peel::gs_peel),
     },
     Method {
+        slug: "graham",
+        title: "Graham's scan",
+        citation: "R. L. Graham, An efficient algorithm for determining the convex hull of a finite planar set, Information Processing Letters 1 (1972) 132-133",
+        departures: &[
+            "the interior point is a rounded centroid, verified strictly inside; where no double is, the lexicographically smallest point serves as the pole",
+            "the walk starts at the lexicographically smallest point",
+        ],
+        cost: "O(n log n)",
+        task: planar_task!(PlanarHull, graham::graham),
+    },
+    Method {
         slug: "monotone-chain",
         title: "Andrew's monotone chain",
         citation: "A. M. Andrew, Another efficient algorithm for convex hulls in two dimensions, Information Processing Letters 9 (1979) 216-219",
@@ -50,5 +63,16 @@ pub const METHODS: &[Method] = &[
         ],
         cost: "O(n log n)",
         task: planar_task!(PlanarHull, monotone_chain::monotone_chain),
+    },
+    Method {
+        slug: "chain-peel",
+        title: "Peels by the monotone chain: one sort, two chains a layer",
+        citation: "A. M. Andrew, Another efficient algorithm for convex hulls in two dimensions, Information Processing Letters 9 (1979) 216-219, applied to what is left until nothing is",
+        departures: &[
+            "those of monotone-chain",
+            "the points are sorted once for all layers",
+        ],
+        cost: "O(n log n + n L) for L layers; O(n^2) at worst",
+        task: planar_task!(PlanarLayers, chain_peel::chain_peel),
     },
 ];
