@@ -5,6 +5,7 @@
 use bench_harness::commands::{hull, methods, peel, points};
 use bench_harness::failure::Failure;
 use bench_harness::output::target::note;
+use bench_harness::reproduce;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -24,6 +25,14 @@ Exit codes:
   3  bad input data
   4  a file could not be read or written";
 
+const REPRODUCE: &str = "\
+Examples:
+  hullbench reproduce
+  hullbench reproduce --quick
+
+Exit codes:
+  0 done   1 not certified   2 usage   3 bad input data   4 a file could not be read or written";
+
 /// Convex hull algorithms run, certified and judged against the papers
 #[derive(Parser)]
 #[command(name = "hullbench", version, after_help = AFTER)]
@@ -42,6 +51,9 @@ enum Command {
     Points(points::Args),
     /// The registered methods: publication, cost, departures
     Methods(methods::Args),
+    /// The published tables, figures and claims, regenerated and judged
+    #[command(after_help = REPRODUCE)]
+    Reproduce(reproduce::Args),
 }
 
 fn main() -> ExitCode {
@@ -50,6 +62,7 @@ fn main() -> ExitCode {
         Command::Peel(args) => peel::run(&args),
         Command::Points(args) => points::run(&args),
         Command::Methods(args) => methods::run(&args),
+        Command::Reproduce(args) => reproduce::run(&args).map_err(Failure::from),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

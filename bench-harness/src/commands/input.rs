@@ -47,7 +47,7 @@ pub struct InputArgs {
 /// The arguments that say how a point set is generated.
 #[derive(Args, Clone, Copy, Debug)]
 pub struct DrawArgs {
-    /// How many points to generate [default: cols times rows if the set gives both, else 1000]
+    /// How many points to generate [default: what the parameters of the set say, else 1000]
     #[arg(short = 'n', long, value_name = "N")]
     count: Option<usize>,
 
@@ -63,7 +63,7 @@ impl DrawArgs {
     ///
     /// [`Failure::Usage`] if the set has no such size.
     pub fn draw(&self, spec: &Spec) -> Result<PointSet, Failure> {
-        let count = self.count.or_else(|| own_size(spec));
+        let count = self.count.or_else(|| spec.size());
         let seed = self.seed.unwrap_or(DEFAULT_SEED);
         let points = spec
             .generate(count.unwrap_or(DEFAULT_COUNT), seed)
@@ -89,19 +89,6 @@ fn parse_columns(text: &str) -> Result<[Column; 2], String> {
     columns
         .try_into()
         .map_err(|_| "name two columns, such as lon,lat or 1,2".into())
-}
-
-/// The size that a set's parameters say it has: columns times rows, if it gives both.
-fn own_size(spec: &Spec) -> Option<usize> {
-    let text = spec.to_string();
-    let (_, parameters) = text.split_once(':')?;
-    let given = |name| -> Option<usize> {
-        let mut pairs = parameters
-            .split(',')
-            .filter_map(|pair| pair.split_once('='));
-        pairs.find(|(found, _)| *found == name)?.1.parse().ok()
-    };
-    given("cols")?.checked_mul(given("rows")?)
 }
 
 /// Points that are finite and can be indexed, and where they came from.
