@@ -16,28 +16,31 @@
 //! 4. When no right son is left, do the same with the points below the first line.
 //!
 //! ```text
-//!                      k                   the binary tree of subsets
-//!                    .' '.
-//!      left son    .'     '.                    above ij
-//!        . .     .'         '.                  /      \
-//!             . '    . .      '.  .        above ik    not above ik  (laid aside)
-//!            .'  .     .        '.        (left son)    (right son)
-//!          i ---------------------- j                    /       \
-//!            right son: everything here,           above kj    in the triangle
-//!            and what is above kj                              (dropped)
+//!                     k                    the binary tree of subsets
+//!                   .' '.
+//!                 .'     '.    left             above ij
+//!         .     .'         '.   son            /        \
+//!             .'  .     .    '.  .       above ik     not above ik, laid aside
+//!           .'     .   .     . '.       (left son)    (right son)
+//!         j ---------------------- i                  /         \
+//!          right son: all this, and               above kj    in the triangle,
+//!          what is above kj                                      dropped
 //! ```
 //!
-//! **How it differs from method GS.** The two make the same splits and ask about the same orientations. But GS
-//! splits a list by both new lines at once and drops the triangle's points there and then; CONVEX walks its
-//! tree depth first, along one edge at a time, so a right son keeps the triangle's points until its
-//! turn comes, and each SPLIT is a pass of its own. SPLIT finds the furthest on every side it saves: for a right
-//! son laid aside that comparison is wasted, as the second SPLIT finds its own furthest point. So E asks more distance
-//! comparisons, and needs one full array for each half at the same time. The order of the hull is held in a linked list
-//! (IH, IL) over the vertices as they are found; GS reads it off its stack.
+//! **How it differs from method GS.** Both make the same tree and ask about the same orientations (of points in
+//! general position; they may break ties apart). The passes are organised differently:
+//!
+//! - GS splits a list by both new lines in one pass and drops the triangle's points there and then. CONVEX goes down its
+//!   tree depth first, one line a pass: what is not above ik is laid aside with the triangle's points
+//!   still in it, and a second SPLIT drops them when the walk along the hull comes to kj.
+//! - SPLIT finds the furthest point on every side that it saves. For a right son that is wasted, as its own SPLIT
+//!   finds the furthest above kj afresh. So E compares more distances than GS.
+//! - GS keeps test lists at both ends of one array and reads the hull off its stack; CONVEX has two arrays, for left and
+//!   for right sons, and a linked list (IH, IL) of vertices in the order of their discovery.
 //!
 //! **Bound.** O(n h), reached when each split sets one point apart; about 3 to 4 orientations a point on the
-//! usual distributions. Space: the two arrays IA and IB of up to n indices together, the list, and one count for
-//! each right son laid aside (at most h). No recursion.
+//! usual distributions. Space: the arrays IA and IB, up to 2 n indices, the list, and a record for each right son laid
+//! aside, at most h. No recursion.
 //!
 //! **Invariants.**
 //!

@@ -1,0 +1,13 @@
+//! Every method of this crate against the conformance suite.
+
+use geometry_core::Method;
+
+fn method(slug: &str) -> &'static Method {
+    let found = quickhull::METHODS.iter().find(|method| method.slug == slug);
+    found.expect("the slug is registered")
+}
+
+#[test]
+fn eddy() {
+    hull_verify::conformance::planar_hull(method("eddy"));
+}
