@@ -94,10 +94,11 @@ pub fn method_r<K: Kernel2, O: Observer>(
     };
     for id in rest {
         observer.step(|| Step::Visit(id));
-        hull.test_edges(id, observer);
-        match hull.outside_run()? {
-            None => observer.step(|| Step::Discard(id)),
-            Some(run) => hull.replace(run, id, observer),
+        if hull.test_edges(id, observer) {
+            let run = hull.outside_run()?;
+            hull.replace(run, id, observer);
+        } else {
+            observer.step(|| Step::Discard(id));
         }
     }
     Ok(hull.finish(observer))
@@ -174,19 +175,22 @@ struct Run {
 }
 
 impl<K: Kernel2> GrowingHull<'_, K> {
-    /// Tests `id` against every edge.
-    fn test_edges<O: Observer>(&mut self, id: u32, observer: &mut O) {
-        self.outside.clear();
-        for edge in 0..self.vertices.len() {
-            let (from, to) = (self.vertices[edge], self.vertex_after(edge));
+    /// Tests `id` against every edge; tells whether it lies outside any.
+    fn test_edges<O: Observer>(&mut self, id: u32, observer: &mut O) -> bool {
+        let mut outside = std::mem::take(&mut self.outside);
+        outside.clear();
+        outside.extend(self.edges().map(|(from, to)| {
             observer.step(|| Step::Line(from, to));
-            let outside = self.is_outside(from, to, id);
-            self.outside.push(outside);
-        }
+            self.is_outside(from, to, id)
+        }));
+        self.outside = outside;
+        self.outside.contains(&true)
     }
 
-    fn vertex_after(&self, edge: usize) -> u32 {
-        self.vertices[(edge + 1) % self.vertices.len()]
+    fn edges(&self) -> impl Iterator<Item = (u32, u32)> {
+        let starts = self.vertices.iter().copied();
+        let ends = self.vertices[1..].iter().chain(self.vertices.first());
+        starts.zip(ends.copied())
     }
 
     /// Whether `id` makes the edge obsolete: it lies to the right of it, or on its line and
@@ -211,15 +215,16 @@ impl<K: Kernel2> GrowingHull<'_, K> {
         }
     }
 
-    /// The run of edges marked `outside`, if any (invariant 2).
-    fn outside_run(&self) -> Result<Option<Run>, HullError> {
+    /// The run of edges marked `outside` (invariant 2).
+    fn outside_run(&self) -> Result<Run, HullError> {
         let count = self.outside.len();
-        let length = self.outside.iter().filter(|&&outside| outside).count();
         let mut starts = (0..count)
             .filter(|&edge| self.outside[edge] && !self.outside[(edge + count - 1) % count]);
         match (starts.next(), starts.next()) {
-            (Some(first), None) => Ok(Some(Run { first, length })),
-            (None, _) if length == 0 => Ok(None),
+            (Some(first), None) => Ok(Run {
+                first,
+                length: self.outside.iter().filter(|&&outside| outside).count(),
+            }),
             _ => Err(HullError::Contradiction {
                 what: "the edges that a new point lies outside of are not one run of the hull",
             }),
@@ -236,8 +241,8 @@ impl<K: Kernel2> GrowingHull<'_, K> {
     }
 
     fn finish<O: Observer>(self, observer: &mut O) -> Hull2 {
-        for edge in 0..self.vertices.len() {
-            observer.step(|| Step::Edge(self.vertices[edge], self.vertex_after(edge)));
+        for (from, to) in self.edges() {
+            observer.step(|| Step::Edge(from, to));
         }
         Hull2::from_cycle(self.points, self.vertices)
     }
