@@ -206,18 +206,22 @@ fn bad_coordinate(
 
 /// What is probably to be done about a field that is no number.
 fn remedy(value: &str) -> &'static str {
-    let among = |allowed: &str| {
+    let digits_and = |others: &str| {
         value
             .chars()
-            .all(|letter| letter.is_ascii_digit() || allowed.contains(letter))
+            .all(|c| c.is_ascii_digit() || others.contains(c))
     };
     match value.to_lowercase().as_str() {
         "na" | "n/a" | "null" | "none" | "-" | "--" | "?" | "." => {
             "it marks a missing value: fill it in or remove the line"
         }
-        _ if among("+-.eE,") => "write a decimal point, and nothing between thousands",
-        _ if among("+-.dD") => "write the exponent with e, as in 1e-9",
-        _ if value.starts_with(|letter: char| letter.is_alphabetic()) => {
+        text if text.contains(',') && digits_and("+-.eE,") => {
+            "write a decimal point, and nothing between thousands"
+        }
+        text if text.contains('d') && digits_and("+-.dD") => {
+            "write the exponent with e, as in 1e-9"
+        }
+        text if text.starts_with(char::is_alphabetic) => {
             "if the line is a header, say that there is one; else choose other columns or correct it"
         }
         _ => "write it as 12.5, -3 or 1e-9, or choose other columns",
@@ -231,4 +235,34 @@ fn empty(line: u64, found: &'static str) -> Failure {
         field: None,
     };
     (Some(place), Problem::Empty { found })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_end_where_indices_end() {
+        let text = "x,y\n1,2\n3,4\n5,6\n";
+        let read = |limit| read_from(text.as_bytes(), &ReadOptions::default(), limit);
+        assert_eq!(read(3).unwrap().points.len(), 3);
+        let (place, problem) = read(2).unwrap_err();
+        assert_eq!(place.map(|place| (place.line, place.column)), Some((4, 1)));
+        let expected = "more than 2 points, and no more can be indexed; split the file";
+        assert_eq!(problem.to_string(), expected);
+    }
+
+    #[test]
+    fn a_reader_that_fails_is_reported_where_it_failed() {
+        struct Failing;
+        impl std::io::Read for Failing {
+            fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
+                Err(std::io::Error::other("the disc is gone"))
+            }
+        }
+        let source = BufReader::new(std::io::Read::chain(&b"1,2\n"[..], Failing));
+        let (place, problem) = read_from(source, &ReadOptions::default(), 10).unwrap_err();
+        assert_eq!(place.map(|place| (place.line, place.column)), Some((2, 1)));
+        assert_eq!(problem.to_string(), "cannot be read on: the disc is gone");
+    }
 }
