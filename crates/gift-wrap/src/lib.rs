@@ -1,10 +1,10 @@
 //! Hulls by gift wrapping, after Jarvis: from each vertex to the next along the boundary.
 //!
-//! | slug | module | where the next vertex is sought | time |
+//! | slug | module | seeks the next vertex among | time |
 //! |---|---|---|---|
-//! | `jarvis-j1` | [`jarvis_j1`](mod@jarvis_j1) | among all points | O(n h) |
-//! | `jarvis-j2` | [`jarvis_j2`](mod@jarvis_j2) | among the points beyond the last vertex in angle about the first | O(n h + n log n) |
-//! | `jarvis-j3` | [`jarvis_j3`](mod@jarvis_j3) | among the points further right, then further left | O(n h + n log n) |
+//! | `jarvis-j1` | [`jarvis_j1`](mod@jarvis_j1) | all points | O(n h) |
+//! | `jarvis-j2` | [`jarvis_j2`](mod@jarvis_j2) | those beyond the last in angle | O(n h + n log n) |
+//! | `jarvis-j3` | [`jarvis_j3`](mod@jarvis_j3) | those further right, then left | O(n h + n log n) |
 //!
 //! The three differ in that one respect only; the search itself is shared (`src/search.rs`).
 //!

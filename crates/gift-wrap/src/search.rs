@@ -44,19 +44,20 @@ impl<K: Kernel2> Search<'_, K> {
     ) -> Option<(usize, u32)> {
         let (&from, before) = walk.split_last()?;
         let before = before.last().copied();
-        let mut best: Option<(usize, u32)> = None;
-        for (place, id) in candidates.enumerate() {
+        let mut candidates = (0..).zip(candidates);
+        let mut best = candidates.find(|&(_, id)| {
             observer.step(|| Step::Visit(id));
-            let better = match best {
-                None => !self.are_copies(from, id),
-                Some((_, best)) => self.is_better(before, from, best, id),
-            };
-            if better {
+            !self.are_copies(from, id)
+        })?;
+        observer.step(|| Step::Apex(best.1));
+        for (place, id) in candidates {
+            observer.step(|| Step::Visit(id));
+            if self.is_better(before, from, best.1, id) {
                 observer.step(|| Step::Apex(id));
-                best = Some((place, id));
+                best = (place, id);
             }
         }
-        best
+        Some(best)
     }
 
     fn are_copies(&self, a: u32, b: u32) -> bool {
