@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | `Narrow` | up to 61 bits, in `i64` | `i128` |
 //! | `Medium` | up to 125 bits, in `i128` | 256 bits, compared limb by limb ([`wide`]) |
-//! | `Big` | any (2098 bits at most) | [`BigInt`](num_bigint::BigInt) |
+//! | `Big` | any (2098 bits at most) | [`BigInt`] |
 //!
 //! Points drawn uniformly are narrow, a million from a normal distribution medium. The only operation on
 //! `f64` values themselves is comparison, which the machine does exactly.

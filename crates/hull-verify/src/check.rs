@@ -14,7 +14,7 @@
 //! 4. v₀ is the lexicographic minimum, so the cycle splits into a lower chain that ascends and an upper chain
 //!    that descends.
 //! 5. Every point lies above or on the lower chain and below or on the upper one: one binary search and one
-//!    orientation for each ([`outline`]). By 3 that is to be inside.
+//!    orientation for each (`outline`). By 3 that is to be inside.
 //! 6. No point equal to a vertex has a smaller index than the vertex; under [`Boundary::All`] no point of the
 //!    boundary is missing among the vertices.
 //!

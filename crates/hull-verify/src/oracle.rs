@@ -116,7 +116,7 @@ fn successor(
     let mut ahead = ids.iter().copied().filter(|&q| q != p && none_right(q));
     // They lie on one ray from p, in lexicographic order, so the first is an end and so is the last.
     let first = ahead.next()?;
-    let last = ahead.last().unwrap_or(first);
+    let last = ahead.next_back().unwrap_or(first);
     let ascending = order(at(p), at(first)).is_lt();
     match (boundary, ascending) {
         (Boundary::Extreme, true) | (Boundary::All, false) => Some(last),
