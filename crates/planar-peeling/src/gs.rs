@@ -64,6 +64,7 @@
 
 mod arrays;
 mod bookkeeping;
+mod forming;
 mod scan;
 
 pub(crate) use arrays::{Arrays, PeelLabel};
@@ -72,7 +73,7 @@ pub(crate) use bookkeeping::Peeling;
 use crate::sort::merge_sort;
 use arrays::{EDGE, Item, Label};
 use bookkeeping::{Bare, Bookkeeping, Single};
-use geometry_core::{Boundary, Hull2, HullError, Kernel2, Observer, Points, Step};
+use geometry_core::{Boundary, Hull2, HullError, Kernel2, Observer, Point2, Points, Step};
 use scan::Call;
 use std::cmp::Ordering;
 
@@ -288,6 +289,10 @@ impl<K: Kernel2, O: Observer, B: Bookkeeping> Call<'_, K, O, B> {
             }
         }
         self.confirm(arrays, last, label.to);
+    }
+
+    fn are_copies(&self, p: Point2, q: Point2) -> bool {
+        self.kernel.lexicographic(p, q).is_eq()
     }
 
     /// The directed line from→to is an edge.

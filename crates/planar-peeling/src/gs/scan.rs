@@ -1,9 +1,16 @@
 //! The two scans of method GS that ask the kernel: the base line (step 3) and the split of a test list (step 4c).
+//!
+//! Both go block by block, and through each block twice: once to ask which side, once to find the furthest of
+//! the points just listed. Which side is a matter of chance, so the first pass has no branch that depends on it;
+//! in the second, a new furthest point is rare.
 
 use super::arrays::{Arrays, Label};
 use super::bookkeeping::Bookkeeping;
-use geometry_core::{Boundary, Kernel2, Observer, Point2, Points, Sign, Step};
-use std::cmp::Ordering;
+use super::forming::{Forming, Place};
+use geometry_core::{Boundary, Kernel2, Observer, Points, Step};
+
+/// Points asked before the furthest of them is sought: few enough to be still in the nearest cache.
+const BLOCK: usize = 128;
 
 /// What one call of the routine works with, besides the arrays.
 pub(super) struct Call<'a, K, O, B> {
@@ -14,59 +21,6 @@ pub(super) struct Call<'a, K, O, B> {
     pub(super) bookkeeping: &'a mut B,
 }
 
-/// Where a point lies with regard to a directed line.
-enum Side {
-    /// To the right: it is listed.
-    Outside,
-    /// On the line between its ends, and boundary points count: a doubtful point, listed too.
-    Between,
-    /// A copy of the apex.
-    Copy,
-    /// None of these.
-    Elsewhere,
-}
-
-/// The point furthest outside a line so far.
-struct Furthest {
-    line: [Point2; 2],
-    point: Point2,
-    id: u32,
-    place: Option<usize>,
-}
-
-impl Furthest {
-    fn outside(from: Point2, to: Point2) -> Self {
-        Self {
-            line: [to, from],
-            point: from,
-            id: 0,
-            place: None,
-        }
-    }
-
-    /// Takes note of a point outside the line, which is at `place` in NWK.
-    ///
-    /// Of points equally far, the one nearest to the end of the line is an extreme point (invariant 3); of
-    /// copies, the smallest index stands for all.
-    #[inline(always)]
-    fn offer<K: Kernel2>(&mut self, kernel: &K, id: u32, point: Point2, place: usize) {
-        let further = match self.place {
-            None => true,
-            Some(_) => {
-                let [a, b] = self.line;
-                match kernel.compare_distance_then_along(a, b, point, self.point) {
-                    Ordering::Greater => true,
-                    Ordering::Equal => id < self.id,
-                    Ordering::Less => false,
-                }
-            }
-        };
-        if further {
-            (self.id, self.point, self.place) = (id, point, Some(place));
-        }
-    }
-}
-
 /// A test list whose points are in place in NWK, but not yet its length.
 struct Draft {
     at: usize,
@@ -75,60 +29,63 @@ struct Draft {
 }
 
 impl<K: Kernel2, O: Observer, B: Bookkeeping> Call<'_, K, O, B> {
-    /// Step 3: forms [ij] at the beginning of NWK and [ji] at its end from the tail of LIST, which they
-    /// leave, and
-    /// pushes their labels. Returns whether no point lies off the line.
+    /// Step 3: forms [ij] at the beginning of NWK and [ji] at its end from the points in the tail of LIST, which
+    /// they leave, and pushes their labels. Returns whether no point lies off the line.
     ///
     /// Points on the base line wait at the end of LIST until it is known which side is empty (departure 2).
     pub(super) fn split_base(&mut self, arrays: &mut Arrays, i: u32, j: u32) -> bool {
-        let points = self.points;
-        let [a, b] = [points[i], points[j]];
-        let mut furthest = [Furthest::outside(a, b), Furthest::outside(b, a)];
+        let (points, kernel) = (self.points, self.kernel);
+        let mut below = Forming::new(points[i], points[j]);
+        let mut above = Forming::new(points[j], points[i]);
+        self.observer.step(|| Step::Line(i, j));
+
         let (tail, cells) = (arrays.tail, arrays.left() + 2);
         let (list, nwk) = (&mut arrays.list[..], &mut arrays.nwk[..cells]);
-        let (mut front, mut back, mut waiting) = (1, cells, list.len());
-        self.observer.step(|| Step::Line(i, j));
-        for cell in (tail..list.len()).rev() {
-            let id = list[cell];
-            let point = points[id];
-            self.observer.step(|| Step::Visit(id));
-            let sign = self.kernel.orient(a, b, point);
-            if sign.is_zero() {
-                if self.are_copies(point, a) || self.are_copies(point, b) {
-                    self.bookkeeping.copy(id, self.observer);
-                } else {
-                    waiting -= 1;
-                    list[waiting] = id;
+        let (mut read, mut waiting) = (list.len(), list.len());
+        let (mut front, mut back) = (1, cells);
+        while read > tail {
+            let end = read;
+            read = tail.max(end.saturating_sub(BLOCK));
+            let (first, last) = (front, back);
+            for cell in (read..end).rev() {
+                let id = list[cell];
+                self.observer.step(|| Step::Visit(id));
+                let sign = kernel.orient(points[i], points[j], points[id]);
+                if sign.is_zero() {
+                    if below.ends_in_copy_of(kernel, points[id]) {
+                        self.bookkeeping.copy(id, self.observer);
+                    } else {
+                        waiting -= 1;
+                        list[waiting] = id;
+                    }
+                    continue;
                 }
-                continue;
+                // Both ends are written, and one of them advances.
+                let outside = usize::from(sign.is_negative());
+                nwk[front] = id;
+                nwk[back - 1] = id;
+                front += outside;
+                back -= 1 - outside;
             }
-            // The side is a coin toss, and a branch would guess it wrong every other time. So both ends are
-            // written and one of them advances.
-            let inside = usize::from(sign.is_positive());
-            nwk[front] = id;
-            nwk[back - 1] = id;
-            let place = [front, back - 1][inside];
-            front += 1 - inside;
-            back -= inside;
-            furthest[inside].offer(self.kernel, id, point, place);
+            below.note(kernel, points, &nwk[first..front], first);
+            above.note(kernel, points, &nwk[back..last], back);
         }
         arrays.tail = waiting;
-        let [below, above] = furthest;
+        let (len_below, len_above) = (front - 1, cells - back);
         let below = Draft {
             at: 0,
-            len: front - 1,
-            furthest: below.place,
+            len: len_below,
+            furthest: below.furthest_of(len_below),
         };
         let above = Draft {
             at: back - 1,
-            len: cells - back,
-            furthest: above.place,
+            len: len_above,
+            furthest: above.furthest_of(len_above),
         };
-        let flat = below.len == 0 && above.len == 0;
         let [below, above] = self.list_waiting(arrays, below, above);
         self.push(arrays, j, i, above);
         self.push(arrays, i, j, below);
-        flat
+        len_below == 0 && len_above == 0
     }
 
     /// Gives the points that wait on the base line to its empty side, where they are doubtful points; if no
@@ -143,88 +100,96 @@ impl<K: Kernel2, O: Observer, B: Bookkeeping> Call<'_, K, O, B> {
             return [below, above];
         }
         let len = waiting.len();
+        let at = if below.len == 0 { 0 } else { below.len + 1 };
+        arrays.nwk[at + 1..=at + len].copy_from_slice(waiting);
         arrays.tail = arrays.list.len();
-        let draft = |at| Draft {
+        let doubtful = Draft {
             at,
             len,
             furthest: None,
         };
         if below.len == 0 {
-            arrays.nwk[1..=len].copy_from_slice(waiting);
-            [draft(0), above]
+            [doubtful, above]
         } else {
-            let end = below.len + len + 2;
-            arrays.nwk[end - len..end].copy_from_slice(waiting);
-            [below, draft(end - len - 1)]
+            [below, doubtful]
         }
     }
 
     /// Step 4c: splits the item of [ij], which has `len` points, k first, into [ik] at its beginning, [kj] at its
     /// end, and the points inside, which go to the tail of LIST.
+    ///
+    /// The points outside kj would overwrite points still to be read. They wait in the free cells of LIST, of
+    /// which there are enough (invariant 5).
     pub(super) fn split(&mut self, arrays: &mut Arrays, label: Label, len: usize) {
-        let points = self.points;
-        let at = label.at as usize;
+        let (points, kernel, boundary) = (self.points, self.kernel, self.boundary);
+        let (at, free) = (label.at as usize, arrays.front);
         let k = arrays.nwk[at + 1];
-        let [i, k_point, j] = [label.from, k, label.to].map(|id| points[id]);
-        let mut left = Furthest::outside(i, k_point);
-        let mut right = Furthest::outside(k_point, j);
+        let mut left = Forming::new(points[label.from], points[k]);
+        let mut right = Forming::new(points[k], points[label.to]);
         self.observer.step(|| Step::Line(label.from, label.to));
         self.observer.step(|| Step::Apex(k));
 
         let item_end = at + 1 + len;
-        // Written up to `front` and from `back` on; `read..back` is still to be read (invariant 4).
-        let (mut front, mut read, mut back) = (at + 1, at + 2, item_end);
         let (list, nwk) = (&mut arrays.list[..], &mut arrays.nwk[..item_end]);
-        let mut tail = arrays.tail;
-        while read < back {
-            let id = nwk[read];
-            let point = points[id];
-            self.observer.step(|| Step::Visit(id));
-            let mut side = self.side(i, k_point, k_point, point);
-            if let Side::Outside | Side::Between = side {
-                if let Side::Outside = side {
-                    left.offer(self.kernel, id, point, front);
-                }
-                nwk[front] = id;
-                front += 1;
-                read += 1;
-                continue;
-            }
-            if let Side::Elsewhere = side {
-                side = self.side(k_point, j, k_point, point);
-            }
-            match side {
-                Side::Outside | Side::Between => {
-                    back -= 1;
-                    nwk.swap(read, back);
-                    if let Side::Outside = side {
-                        right.offer(self.kernel, id, point, back);
-                    }
-                }
-                Side::Copy => {
-                    read += 1;
+        let (mut read, mut front) = (at + 2, at + 1);
+        let (mut spill, mut tail) = (free, arrays.tail);
+        let mut pool = [0; BLOCK];
+        while read < item_end {
+            let block = read..item_end.min(read + BLOCK);
+            read = block.end;
+            let (first, mut pooled) = (front, 0);
+            for cell in block {
+                let id = nwk[cell];
+                self.observer.step(|| Step::Visit(id));
+                let place = left.place(kernel, boundary, points[id]);
+                if place == Place::Copy {
                     self.bookkeeping.copy(id, self.observer);
+                    continue;
                 }
-                Side::Elsewhere => {
-                    read += 1;
+                let listed = usize::from(place == Place::Listed);
+                nwk[front] = id;
+                pool[pooled] = id;
+                front += listed;
+                pooled += 1 - listed;
+            }
+            left.note(kernel, points, &nwk[first..front], first);
+            let first = spill;
+            for &id in &pool[..pooled] {
+                let place = right.place(kernel, boundary, points[id]);
+                if place == Place::Copy {
+                    self.bookkeeping.copy(id, self.observer);
+                    continue;
+                }
+                let inside = usize::from(place == Place::Elsewhere);
+                list[spill] = id;
+                spill += 1 - inside;
+                if B::KEEPS_INTERIOR {
+                    list[tail - 1] = id;
+                    tail -= inside;
+                }
+                if inside == 1 {
                     self.bookkeeping.interior(id, self.observer);
-                    if B::KEEPS_INTERIOR {
-                        tail -= 1;
-                        list[tail] = id;
-                    }
                 }
             }
+            right.note(kernel, points, &list[first..spill], first);
         }
         arrays.tail = tail;
+
+        let (len_left, len_right) = (front - (at + 1), spill - free);
+        let begin = item_end - len_right;
+        nwk[begin..].copy_from_slice(&list[free..spill]);
+        let furthest = right
+            .furthest_of(len_right)
+            .map(|cell| begin + (cell - free));
+        let right = Draft {
+            at: begin - 1,
+            len: len_right,
+            furthest,
+        };
         let left = Draft {
             at,
-            len: front - at - 1,
-            furthest: left.place,
-        };
-        let right = Draft {
-            at: back - 1,
-            len: item_end - back,
-            furthest: right.place,
+            len: len_left,
+            furthest: left.furthest_of(len_left),
         };
         self.push(arrays, k, label.to, right);
         self.push(arrays, label.from, k, left);
@@ -234,31 +199,5 @@ impl<K: Kernel2, O: Observer, B: Bookkeeping> Call<'_, K, O, B> {
     fn push(&mut self, arrays: &mut Arrays, from: u32, to: u32, draft: Draft) {
         let at = arrays.complete(draft.at, draft.len, draft.furthest);
         arrays.open.push(Label { from, to, at });
-    }
-
-    /// Where `point` lies with regard to a→b, one of whose ends is `apex`. One orientation.
-    #[inline(always)]
-    fn side(&self, a: Point2, b: Point2, apex: Point2, point: Point2) -> Side {
-        match self.kernel.orient(a, b, point) {
-            Sign::Negative => Side::Outside,
-            Sign::Positive => Side::Elsewhere,
-            Sign::Zero => self.side_on_line(a, b, apex, point),
-        }
-    }
-
-    #[cold]
-    fn side_on_line(&self, a: Point2, b: Point2, apex: Point2, point: Point2) -> Side {
-        let before = |p, q| self.kernel.compare_along(a, b, p, q).is_lt();
-        if self.are_copies(point, apex) {
-            Side::Copy
-        } else if self.boundary == Boundary::All && before(a, point) && before(point, b) {
-            Side::Between
-        } else {
-            Side::Elsewhere
-        }
-    }
-
-    pub(super) fn are_copies(&self, p: Point2, q: Point2) -> bool {
-        self.kernel.lexicographic(p, q).is_eq()
     }
 }

@@ -1,0 +1,115 @@
+//! A test list while it is formed.
+
+use geometry_core::{Boundary, Kernel2, Point2, Points, Sign};
+use std::cmp::Ordering;
+
+/// Where a point goes that is asked about a line.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Place {
+    /// Into the test list of the line: it is outside, or a doubtful point.
+    Listed,
+    /// Not there.
+    Elsewhere,
+    /// Nowhere: it is a copy of an end of the line.
+    Copy,
+}
+
+/// The test list of the line from→to while points are put into it.
+pub(super) struct Forming {
+    from: Point2,
+    to: Point2,
+    /// Index, coordinates and cell of the furthest point so far.
+    furthest: Option<(u32, Point2, usize)>,
+    /// How many of the points are on the line, not outside.
+    doubtful: usize,
+}
+
+impl Forming {
+    pub(super) fn new(from: Point2, to: Point2) -> Self {
+        Self {
+            from,
+            to,
+            furthest: None,
+            doubtful: 0,
+        }
+    }
+
+    /// Asks where `point` lies: one orientation. A doubtful point is counted as such.
+    #[inline(always)]
+    pub(super) fn place<K: Kernel2>(
+        &mut self,
+        kernel: &K,
+        boundary: Boundary,
+        point: Point2,
+    ) -> Place {
+        match kernel.orient(self.from, self.to, point) {
+            Sign::Negative => Place::Listed,
+            Sign::Positive => Place::Elsewhere,
+            Sign::Zero => self.place_on_line(kernel, boundary, point),
+        }
+    }
+
+    #[cold]
+    fn place_on_line<K: Kernel2>(
+        &mut self,
+        kernel: &K,
+        boundary: Boundary,
+        point: Point2,
+    ) -> Place {
+        let before = |p, q| kernel.compare_along(self.from, self.to, p, q).is_lt();
+        if self.ends_in_copy_of(kernel, point) {
+            Place::Copy
+        } else if boundary == Boundary::All && before(self.from, point) && before(point, self.to) {
+            self.doubtful += 1;
+            Place::Listed
+        } else {
+            Place::Elsewhere
+        }
+    }
+
+    pub(super) fn ends_in_copy_of<K: Kernel2>(&self, kernel: &K, point: Point2) -> bool {
+        [self.from, self.to]
+            .iter()
+            .any(|&end| kernel.lexicographic(end, point).is_eq())
+    }
+
+    /// Notes the furthest of the points `ids` just listed, which are in the cells from `first` on.
+    ///
+    /// Of points equally far, the one nearest to the end of the line is an extreme point (invariant 3); of
+    /// copies, the smallest index stands for all.
+    #[inline]
+    pub(super) fn note<K: Kernel2>(
+        &mut self,
+        kernel: &K,
+        points: Points<'_, 2>,
+        ids: &[u32],
+        first: usize,
+    ) {
+        let &[head, ..] = ids else {
+            return;
+        };
+        let (mut best, mut furthest, mut place) =
+            self.furthest.unwrap_or((head, points[head], first));
+        let fresh = usize::from(self.furthest.is_none());
+        for (offset, &id) in ids.iter().enumerate().skip(fresh) {
+            let point = points[id];
+            // Further to the right of from→to is further to the left of to→from.
+            let further =
+                match kernel.compare_distance_then_along(self.to, self.from, point, furthest) {
+                    Ordering::Greater => true,
+                    Ordering::Equal => id < best,
+                    Ordering::Less => false,
+                };
+            if further {
+                (best, furthest, place) = (id, point, first + offset);
+            }
+        }
+        self.furthest = Some((best, furthest, place));
+    }
+
+    /// The cell of the furthest point, or `None` if the `len` points listed are all doubtful.
+    pub(super) fn furthest_of(&self, len: usize) -> Option<usize> {
+        let (_, _, place) = self.furthest?;
+        (self.doubtful < len).then_some(place)
+    }
+}
