@@ -1,18 +1,7 @@
 //! A test list while it is formed.
 
-use geometry_core::{Boundary, Kernel2, Point2, Points, Sign};
+use geometry_core::{Boundary, Kernel2, Point2, Points};
 use std::cmp::Ordering;
-
-/// Where a point goes that is asked about a line.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Place {
-    /// Into the test list of the line: it is outside, or a doubtful point.
-    Listed,
-    /// Not there.
-    Elsewhere,
-    /// Nowhere: it is a copy of an end of the line.
-    Copy,
-}
 
 /// The test list of the line from→to while points are put into it.
 pub(super) struct Forming {
@@ -34,37 +23,37 @@ impl Forming {
         }
     }
 
-    /// Asks where `point` lies: one orientation. A doubtful point is counted as such.
+    /// Whether `point` belongs into the list, being outside or a doubtful point: one orientation. `None` for a copy
+    /// of an end of the line. Doubtful points are counted.
     #[inline(always)]
-    pub(super) fn place<K: Kernel2>(
+    pub(super) fn lists<K: Kernel2>(
         &mut self,
         kernel: &K,
         boundary: Boundary,
         point: Point2,
-    ) -> Place {
-        match kernel.orient(self.from, self.to, point) {
-            Sign::Negative => Place::Listed,
-            Sign::Positive => Place::Elsewhere,
-            Sign::Zero => self.place_on_line(kernel, boundary, point),
+    ) -> Option<bool> {
+        let sign = kernel.orient(self.from, self.to, point);
+        if sign.is_zero() {
+            return self.lists_on_line(kernel, boundary, point);
         }
+        Some(sign.is_negative())
     }
 
     #[cold]
-    fn place_on_line<K: Kernel2>(
+    fn lists_on_line<K: Kernel2>(
         &mut self,
         kernel: &K,
         boundary: Boundary,
         point: Point2,
-    ) -> Place {
-        let before = |p, q| kernel.compare_along(self.from, self.to, p, q).is_lt();
+    ) -> Option<bool> {
         if self.ends_in_copy_of(kernel, point) {
-            Place::Copy
-        } else if boundary == Boundary::All && before(self.from, point) && before(point, self.to) {
-            self.doubtful += 1;
-            Place::Listed
-        } else {
-            Place::Elsewhere
+            return None;
         }
+        let before = |p, q| kernel.compare_along(self.from, self.to, p, q).is_lt();
+        let between = before(self.from, point) && before(point, self.to);
+        let doubtful = boundary == Boundary::All && between;
+        self.doubtful += usize::from(doubtful);
+        Some(doubtful)
     }
 
     pub(super) fn ends_in_copy_of<K: Kernel2>(&self, kernel: &K, point: Point2) -> bool {

@@ -6,7 +6,7 @@
 
 use super::arrays::{Arrays, Label};
 use super::bookkeeping::Bookkeeping;
-use super::forming::{Forming, Place};
+use super::forming::Forming;
 use geometry_core::{Boundary, Kernel2, Observer, Points, Step};
 
 /// Points asked before the furthest of them is sought: few enough to be still in the nearest cache.
@@ -141,12 +141,11 @@ impl<K: Kernel2, O: Observer, B: Bookkeeping> Call<'_, K, O, B> {
             for cell in block {
                 let id = nwk[cell];
                 self.observer.step(|| Step::Visit(id));
-                let place = left.place(kernel, boundary, points[id]);
-                if place == Place::Copy {
+                let Some(listed) = left.lists(kernel, boundary, points[id]) else {
                     self.bookkeeping.copy(id, self.observer);
                     continue;
-                }
-                let listed = usize::from(place == Place::Listed);
+                };
+                let listed = usize::from(listed);
                 nwk[front] = id;
                 pool[pooled] = id;
                 front += listed;
@@ -155,12 +154,11 @@ impl<K: Kernel2, O: Observer, B: Bookkeeping> Call<'_, K, O, B> {
             left.note(kernel, points, &nwk[first..front], first);
             let first = spill;
             for &id in &pool[..pooled] {
-                let place = right.place(kernel, boundary, points[id]);
-                if place == Place::Copy {
+                let Some(listed) = right.lists(kernel, boundary, points[id]) else {
                     self.bookkeeping.copy(id, self.observer);
                     continue;
-                }
-                let inside = usize::from(place == Place::Elsewhere);
+                };
+                let inside = usize::from(!listed);
                 list[spill] = id;
                 spill += 1 - inside;
                 if B::KEEPS_INTERIOR {
