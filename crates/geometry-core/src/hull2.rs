@@ -2,6 +2,7 @@
 
 use crate::kernel::{Kernel2, lexicographic};
 use crate::points::{Point2, Points};
+use crate::sort::merge_sort;
 use std::cmp::Ordering;
 
 /// Which boundary points count as vertices.
@@ -136,8 +137,10 @@ impl Hull2 {
 
 /// Sorts `ids` lexicographically by their points and keeps of equal points the smallest index.
 pub fn sort_distinct<K: Kernel2>(points: Points<'_, 2>, ids: &mut Vec<u32>, kernel: &K) {
-    let compare = |a: &u32, b: &u32| kernel.lexicographic(points[*a], points[*b]).then(a.cmp(b));
-    ids.sort_unstable_by(compare);
+    let mut scratch = vec![0; ids.len()];
+    merge_sort(ids, &mut scratch, |a, b| {
+        kernel.lexicographic(points[a], points[b]).then(a.cmp(&b))
+    });
     ids.dedup_by(|later, kept| {
         kernel.lexicographic(points[*later], points[*kept]) == Ordering::Equal
     });

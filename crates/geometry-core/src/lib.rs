@@ -17,6 +17,7 @@
 //! | [`exact`] | the exact answers: filter, adaptive expansions, scaled integers |
 //! | [`tolerance`] | the answers of 1979: areas below an epsilon are zero, in five number formats |
 //! | [`hull2`], [`layers`] | canonical results, equal (`==`) exactly when the geometry is equal |
+//! | [`sort`] | a sort that no comparison can upset |
 //! | [`observer`] | hooks for counting and teaching that cost nothing when off |
 //! | [`method`] | the registry entry of an algorithm |
 //!
@@ -35,6 +36,7 @@ pub mod method;
 pub mod observer;
 pub mod points;
 pub mod sign;
+pub mod sort;
 pub mod tolerance;
 
 pub use error::HullError;

@@ -42,7 +42,7 @@
 //! more. Searching instead pays only for a handful of vertices.
 
 use crate::search::{Search, leftmost};
-use crate::sort::merge_sort;
+use geometry_core::sort::merge_sort;
 use geometry_core::{Boundary, Hull2, HullError, Kernel2, Observer, Points, Step};
 use std::cmp::Ordering;
 
@@ -129,7 +129,8 @@ pub fn jarvis_j2<K: Kernel2, O: Observer>(
 fn by_angle<K: Kernel2>(points: Points<'_, 2>, first: u32, kernel: &K) -> Vec<u32> {
     let is_copy = |&id: &u32| kernel.lexicographic(points[id], points[first]) == Ordering::Equal;
     let mut order: Vec<u32> = points.ids().filter(|id| !is_copy(id)).collect();
-    merge_sort(&mut order, |a, b| {
+    let mut scratch = vec![0; order.len()];
+    merge_sort(&mut order, &mut scratch, |a, b| {
         let (a, b) = (points[a], points[b]);
         // All points are lexicographically beyond the first, so on a ray that order is the order of distance.
         kernel

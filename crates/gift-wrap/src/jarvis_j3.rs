@@ -37,7 +37,7 @@
 //! more, about four orientations a point; the searches need h/2 of them.
 
 use crate::search::{Arrival, Search, arrive};
-use crate::sort::merge_sort;
+use geometry_core::hull2::sort_distinct;
 use geometry_core::{Boundary, Hull2, HullError, Kernel2, Observer, Points, Step};
 use std::cmp::Ordering;
 
@@ -76,7 +76,8 @@ pub fn jarvis_j3<K: Kernel2, O: Observer>(
     kernel: &K,
     observer: &mut O,
 ) -> Result<Hull2, HullError> {
-    let order = by_x(points, kernel);
+    let mut order: Vec<u32> = points.ids().collect();
+    sort_distinct(points, &mut order, kernel);
     if order.len() < 2 {
         return Ok(Hull2::from_cycle(points, order));
     }
@@ -92,15 +93,6 @@ pub fn jarvis_j3<K: Kernel2, O: Observer>(
         Arrival::TurnedBack => Ok(Hull2::of_collinear(points, walk, boundary, kernel)),
         _ => Ok(Hull2::from_cycle(points, walk)),
     }
-}
-
-/// The distinct points by x, then y; of copies the one with the smallest index.
-fn by_x<K: Kernel2>(points: Points<'_, 2>, kernel: &K) -> Vec<u32> {
-    let compare = |a: u32, b: u32| kernel.lexicographic(points[a], points[b]);
-    let mut order: Vec<u32> = points.ids().collect();
-    merge_sort(&mut order, compare);
-    order.dedup_by(|later, kept| compare(*later, *kept) == Ordering::Equal);
-    order
 }
 
 /// Walks from the last vertex of `walk`, which is the first of `way`, to the last point of `way`.

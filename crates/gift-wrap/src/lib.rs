@@ -22,7 +22,6 @@ pub mod jarvis_j1;
 pub mod jarvis_j2;
 pub mod jarvis_j3;
 mod search;
-mod sort;
 
 pub use jarvis_j1::jarvis_j1;
 pub use jarvis_j2::jarvis_j2;

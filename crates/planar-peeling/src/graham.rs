@@ -35,7 +35,7 @@
 //! It is the history of the monotone chain, which sorts without orientations and needs no pole.
 
 use crate::monotone_chain::keeps;
-use crate::sort::merge_sort;
+use geometry_core::sort::merge_sort;
 use geometry_core::{Boundary, Hull2, HullError, Kernel2, Observer, Point2, Points, Step};
 
 /// The convex hull of `points` by Graham's scan.

@@ -70,9 +70,9 @@ mod scan;
 pub(crate) use arrays::{Arrays, PeelLabel};
 pub(crate) use bookkeeping::Peeling;
 
-use crate::sort::merge_sort;
 use arrays::{EDGE, Item, Label};
 use bookkeeping::{Bare, Bookkeeping, Single};
+use geometry_core::sort::merge_sort;
 use geometry_core::{Boundary, Hull2, HullError, Kernel2, Observer, Point2, Points, Step};
 use scan::Call;
 use std::cmp::Ordering;

@@ -5,7 +5,6 @@ pub mod graham;
 pub mod gs;
 pub mod monotone_chain;
 pub mod peel;
-mod sort;
 
 use geometry_core::{Method, planar_task};
 
