@@ -5,8 +5,10 @@
 //! against itself, the same function called twice a round, shows what this machine makes of no difference at
 //! all: an observer whose interval overlaps that band costs nothing that can be seen here.
 //!
-//! `&mut Silent` is another instance of the same source: what differs from `Silent` is at most its place in
-//! memory. `Tally` and `Recorder` do work, and show what an observer that is on costs.
+//! `&mut Silent` is another instance of the same source, also without hooks: a difference to `Silent` comes from
+//! where its code lies in memory, and tells how small a difference between two instances can mean anything.
+//! `Tally` and `Recorder` do work, and show what an observer that is on costs: that of `Silent`, whose hooks are
+//! gone, cannot be more.
 //!
 //! After the ratios, Criterion measures each observer by itself, for comparisons with earlier runs.
 //! `cargo bench -p bench-harness --bench observer`

@@ -148,6 +148,18 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_result_without_certificate_shows_the_first_findings() {
+        let (method, _) = hull("gs").unwrap();
+        let failure = not_certified(method, &["a", "b", "c", "d", "e"]);
+        let text = failure.to_string();
+        assert!(
+            text.contains("'gs' is not certified: a; b; c; and 2 more; "),
+            "{text}"
+        );
+        assert!(matches!(failure, Failure::Verification(_)));
+    }
+
+    #[test]
     fn edits_are_counted() {
         for (a, b, expected) in [
             ("", "", 0),

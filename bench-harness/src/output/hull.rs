@@ -139,8 +139,12 @@ impl Account {
 
     fn in_words(&self) -> String {
         format!(
-            "proved: {} vertices + {} copies of them + {} on edges + {} inside",
-            self.vertices, self.copies, self.on_edges, self.inside
+            "proved: {} vertices + {} copies of them + {} on edges + {} inside = {} points",
+            self.vertices,
+            self.copies,
+            self.on_edges,
+            self.inside,
+            self.vertices + self.copies + self.on_edges + self.inside
         )
     }
 }

@@ -89,13 +89,12 @@ impl Report for PeelReport {
     }
 
     fn write_summary(&self, out: &mut dyn Write) -> io::Result<()> {
-        let sizes: Vec<_> = self.rings.iter().map(usize::to_string).collect();
         text::line(out, "source", &self.source)?;
         text::line(out, "points", points_line(self.points, self.distinct))?;
         text::line(out, "method", format!("{}, {}", self.method, self.title))?;
         text::line(out, "boundary", self.boundary)?;
         text::line(out, "layers", self.rings.len())?;
-        text::line(out, "ring sizes", sizes.join(", "))?;
+        text::list(out, "ring sizes", &self.rings)?;
         text::line(
             out,
             "innermost",
@@ -130,8 +129,11 @@ impl Account {
 
     fn in_words(&self) -> String {
         format!(
-            "proved: {} vertices of {} rings + {} copies of them",
-            self.vertices, self.rings, self.copies
+            "proved: {} vertices of {} rings + {} copies of them = {} points",
+            self.vertices,
+            self.rings,
+            self.copies,
+            self.vertices + self.copies
         )
     }
 }

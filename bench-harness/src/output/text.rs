@@ -16,6 +16,29 @@ pub fn line(out: &mut dyn Write, label: &str, value: impl Display) -> io::Result
     writeln!(out, "{label:<12} {value}")
 }
 
+/// Writes `values` after one label, separated by commas, on as many lines as they need.
+///
+/// # Errors
+///
+/// Those of `out`.
+pub fn list(out: &mut dyn Write, label: &str, values: &[usize]) -> io::Result<()> {
+    const WIDTH: usize = 86;
+    let mut lines = vec![String::new()];
+    for (place, value) in values.iter().enumerate() {
+        let comma = if place + 1 < values.len() { "," } else { "" };
+        let word = format!("{value}{comma}");
+        let last = lines.len() - 1;
+        if !lines[last].is_empty() && lines[last].len() + 1 + word.len() > WIDTH {
+            lines.push(word);
+        } else {
+            let space = if lines[last].is_empty() { "" } else { " " };
+            lines[last] += &format!("{space}{word}");
+        }
+    }
+    line(out, label, &lines[0])?;
+    lines[1..].iter().try_for_each(|rest| line(out, "", rest))
+}
+
 /// A table without frame, one line a row however wide.
 pub fn table(header: &[&str]) -> Table {
     let mut table = Table::new();
@@ -46,4 +69,33 @@ pub fn number(value: f64) -> String {
 /// A count with the noun that goes with it.
 pub fn count(number: usize, singular: &str, plural: &str) -> String {
     format!("{number} {}", if number == 1 { singular } else { plural })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn listed(values: &[usize]) -> String {
+        let mut out = Vec::new();
+        list(&mut out, "sizes", values).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn a_short_list_is_one_line() {
+        assert_eq!(listed(&[36, 28, 4]), "sizes        36, 28, 4\n");
+        assert_eq!(listed(&[]).trim_end(), "sizes");
+    }
+
+    #[test]
+    fn a_long_list_wraps_and_loses_nothing() {
+        let values: Vec<usize> = (0..200).collect();
+        let text = listed(&values);
+        assert!(text.lines().all(|line| line.len() < 100), "{text}");
+        let back: Vec<usize> = text["sizes".len()..]
+            .split(',')
+            .map(|value| value.trim().parse().unwrap())
+            .collect();
+        assert_eq!(back, values);
+    }
 }

@@ -15,7 +15,7 @@ fn hull_shows_a_summary() {
     assert_eq!(value(&summary, "perimeter"), "8.0");
     assert_eq!(
         value(&summary, "certificate"),
-        "proved: 4 vertices + 1 copies of them + 1 on edges + 1 inside"
+        "proved: 4 vertices + 1 copies of them + 1 on edges + 1 inside = 7 points"
     );
     assert!(summary.contains("field 2 (x)"), "{summary}");
 }

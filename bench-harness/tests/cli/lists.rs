@@ -68,7 +68,7 @@ fn the_registry_is_listed() {
 #[test]
 fn every_help_shows_an_example_and_the_exit_codes() {
     let shop = Workshop::new(&[]);
-    for command in ["", "hull ", "peel ", "points ", "methods "] {
+    for command in ["", "hull ", "peel ", "points ", "methods ", "reproduce "] {
         let help = shop.run(&format!("{command}--help")).stdout();
         assert!(help.contains("Examples:\n  hullbench "), "{command}");
         assert!(help.contains("Exit codes:"), "{command}");
