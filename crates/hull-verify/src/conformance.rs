@@ -13,8 +13,9 @@
 //!    way (inside a hull; around layers);
 //! 3. **exhaustive**: the oracle's answer for every set of up to six points of the 4 × 4 lattice, and for every
 //!    sequence, repetitions included, of up to four points of the 3 × 3 lattice;
-//! 4. **observed**: the same answer from the tallied and the recorded instance with the exact kernel;
-//! 5. **contradicted**: no panic, no endless loop and no index out of range when the kernel's answers contradict
+//! 4. **large**: an answer that the checker certifies, on sets of up to three thousand points;
+//! 5. **observed**: the same answer from the tallied and the recorded instance with the exact kernel;
+//! 6. **contradicted**: no panic, no endless loop and no index out of range when the kernel's answers contradict
 //!    each other ([`hostile`]). [`HullError::Contradiction`] is a good answer.
 //!
 //! The expected answers are found once a process and shared by all methods. A failure panics with everything
@@ -26,6 +27,7 @@ pub mod change;
 pub mod hostile;
 mod trial;
 
+use crate::families::{self, Family};
 use answer::Answer;
 use cases::{Solved, cases};
 use change::Change;
@@ -103,6 +105,9 @@ impl<A: Answer> Suite<A> {
                 self.exact(solved, boundary, "as given");
             }
         }
+        for family in families::large() {
+            self.large(&family);
+        }
     }
 
     /// The exact instance gives the expected answer, and the checker certifies it.
@@ -165,6 +170,21 @@ impl<A: Answer> Suite<A> {
                         (self.tallied)(points, boundary, &kernel, &mut Tally::default())
                     });
             }
+        }
+    }
+
+    /// The exact instance gives an answer that the checker certifies.
+    fn large(&self, family: &Family) {
+        for boundary in BOUNDARIES {
+            let trial = Trial {
+                slug: self.slug,
+                instance: "exact",
+                family: family.name,
+                change: "as given",
+                boundary,
+                points: &family.points,
+            };
+            trial.certify(|points| (self.exact)(points, boundary));
         }
     }
 

@@ -1,7 +1,8 @@
 //! The degenerate point sets of the plane, each named: what a hull algorithm must take as ordinary input.
 //!
-//! [`all`] lists one or more sets of every family, small enough for the [oracle](crate::oracle). The functions
-//! in the submodules make them at any size.
+//! [`all`] lists one or more sets of every family, small enough for the [oracle](crate::oracle); [`large`] lists
+//! some at sizes that only the [certificate](crate::check) can judge. The functions in the submodules make them at
+//! any size.
 //!
 //! | module | families |
 //! |---|---|
@@ -30,7 +31,7 @@ pub struct Family {
     pub points: Vec<Point2>,
 }
 
-/// Every family of the plane, at sizes up to about sixty points. The same list at every call.
+/// Every family of the plane, at sizes up to some seventy points. The same list at every call.
 ///
 /// ```
 /// use hull_verify::families;
@@ -114,5 +115,32 @@ pub fn all() -> Vec<Family> {
         family("disc-of-singles", random::disc_of_singles(15, 50)),
         family("square", random::square(16, 60)),
         family("near-a-line", random::near_a_line(17, 40)),
+    ]
+}
+
+/// Families at sizes up to three thousand points. The same list at every call.
+pub fn large() -> Vec<Family> {
+    let family = |name, points| Family { name, points };
+    vec![
+        family("large-copies", few::copies(3000)),
+        family("large-horizontal", lines::horizontal(3000)),
+        family("large-vertical", lines::vertical(3000)),
+        family("large-tenths", lines::tenths(1000)),
+        family("large-lattice", grids::lattice(40)),
+        family("large-square-outline", grids::square_outline(500)),
+        family("large-columns", grids::columns(3, 700)),
+        family("large-circle", curves::circle(600)),
+        family("large-parabola", curves::parabola(300)),
+        family("large-quickhull-killer", curves::geometric_parabola(500)),
+        family("large-nested-triangles", curves::nested_triangles(300)),
+        family("large-spiral", curves::spiral(1000)),
+        family(
+            "large-mixed-exponents",
+            magnitudes::mixed_exponents(18, 300),
+        ),
+        family("large-grid-of-20", random::on_grid(19, 20, 3000)),
+        family("large-disc", random::disc(20, 3000)),
+        family("large-square", random::square(21, 3000)),
+        family("large-near-a-line", random::near_a_line(22, 1000)),
     ]
 }

@@ -1,10 +1,11 @@
 //! The suite itself: it passes a right method, and catches wrong ones.
 
 use geometry_core::{
-    Boundary, Hull2, HullError, Kernel2, Layers, Method, Observer, Points, planar_task,
+    Boundary, Hull2, HullError, Kernel2, Layers, Method, Observer, Point2, Points, planar_task,
 };
+use hull_verify::arithmetic::{Frame, Turn, order};
+use hull_verify::conformance;
 use hull_verify::families::magnitudes;
-use hull_verify::{conformance, oracle};
 
 fn method(slug: &'static str, task: geometry_core::Task) -> Method {
     Method {
@@ -19,13 +20,51 @@ fn method(slug: &'static str, task: geometry_core::Task) -> Method {
 
 type Answer<A> = Result<A, HullError>;
 
+/// Andrew's monotone chain in the checker's arithmetic, of the points `ids`.
+fn chain(points: &[Point2], mut ids: Vec<u32>, boundary: Boundary) -> Hull2 {
+    let frame = Frame::of(points);
+    let at = |id: u32| points[id as usize];
+    ids.sort_by(|&a, &b| order(at(a), at(b)).then(a.cmp(&b)));
+    ids.dedup_by(|later, kept| at(*later) == at(*kept));
+    match ids[..] {
+        [] => return Hull2::Empty,
+        [only] => return Hull2::Point(only),
+        [first, .., last] => {
+            if ids
+                .iter()
+                .all(|&id| frame.turn(at(first), at(last), at(id)) == Turn::Straight)
+            {
+                let ends = vec![first, last];
+                return Hull2::Segment(if boundary == Boundary::All { ids } else { ends });
+            }
+        }
+    }
+    let half = |row: &mut dyn Iterator<Item = u32>| {
+        let mut chain: Vec<u32> = Vec::new();
+        for id in row {
+            while let [.., a, b] = chain[..] {
+                match (frame.turn(at(a), at(b), at(id)), boundary) {
+                    (Turn::Left, _) | (Turn::Straight, Boundary::All) => break,
+                    _ => chain.pop(),
+                };
+            }
+            chain.push(id);
+        }
+        chain.pop();
+        chain
+    };
+    let mut cycle = half(&mut ids.iter().copied());
+    cycle.extend(half(&mut ids.iter().rev().copied()));
+    Hull2::Polygon(cycle)
+}
+
 fn right_hull<K: Kernel2, O: Observer>(
     points: Points<'_, 2>,
     boundary: Boundary,
     _: &K,
     _: &mut O,
 ) -> Answer<Hull2> {
-    Ok(oracle::hull2(points.as_slice(), boundary))
+    Ok(chain(points.as_slice(), points.ids().collect(), boundary))
 }
 
 fn right_layers<K: Kernel2, O: Observer>(
@@ -34,7 +73,24 @@ fn right_layers<K: Kernel2, O: Observer>(
     _: &K,
     _: &mut O,
 ) -> Answer<Layers> {
-    Ok(oracle::layers(points.as_slice(), boundary))
+    let (mut rings, mut ranks) = (Vec::new(), vec![0; points.len()]);
+    let mut left: Vec<u32> = points.ids().collect();
+    while !left.is_empty() {
+        let ring = chain(points.as_slice(), left.clone(), boundary);
+        let mut places: Vec<Point2> = ring.vertices().iter().map(|&id| points[id]).collect();
+        places.sort_by(|&a, &b| order(a, b));
+        left.retain(|&id| {
+            let removed = places
+                .binary_search_by(|&place| order(place, points[id]))
+                .is_ok();
+            if removed {
+                ranks[id as usize] = rings.len() as u32 + 1;
+            }
+            !removed
+        });
+        rings.push(ring);
+    }
+    Ok(Layers::new(rings, ranks))
 }
 
 #[test]
@@ -74,12 +130,8 @@ fn drops_the_last_point<K: Kernel2, O: Observer>(
     _: &mut O,
 ) -> Answer<Hull2> {
     let slice = points.as_slice();
-    let kept = if slice.len() > 40 {
-        &slice[..slice.len() - 1]
-    } else {
-        slice
-    };
-    Ok(oracle::hull2(kept, boundary))
+    let kept = points.ids().take(slice.len().max(41) - 1);
+    Ok(chain(slice, kept.collect(), boundary))
 }
 
 /// Overflows where coordinates are huge.
@@ -127,12 +179,12 @@ fn one_layer<K: Kernel2, O: Observer>(
     _: &K,
     _: &mut O,
 ) -> Answer<Layers> {
-    let rings = oracle::layers(points.as_slice(), boundary)
-        .rings()
-        .iter()
-        .take(1)
-        .cloned()
-        .collect();
+    let ring = chain(points.as_slice(), points.ids().collect(), boundary);
+    let rings = if ring.is_empty() {
+        Vec::new()
+    } else {
+        vec![ring]
+    };
     Ok(Layers::new(rings, vec![1; points.len()]))
 }
 

@@ -24,21 +24,24 @@ impl Trial<'_> {
         expected: &A,
         method: impl FnOnce(Points<'_, 2>) -> Result<A, HullError>,
     ) {
-        let answer = match self.run(method) {
-            Ok(answer) => answer,
-            Err(error) => self.fail(&format!(
-                "expected {expected:?}\nbut got the error: {error}"
-            )),
-        };
-        let certified = answer.certify(self.points, self.boundary);
-        if answer == *expected && certified.is_ok() {
-            return;
+        let answer = self.answer(method);
+        let findings = self.findings(&answer);
+        if answer != *expected || !findings.is_empty() {
+            self.fail(&format!(
+                "expected {expected:?}\nbut got  {answer:?}{findings}"
+            ));
         }
-        let mut what = format!("expected {expected:?}\nbut got  {answer:?}");
-        for finding in certified.err().into_iter().flatten().take(5) {
-            let _ = write!(what, "\nfinding: {finding}");
+    }
+
+    /// Panics unless `method` gives an answer that the checker certifies.
+    pub(super) fn certify<A: Answer>(
+        &self,
+        method: impl FnOnce(Points<'_, 2>) -> Result<A, HullError>,
+    ) {
+        let findings = self.findings(&self.answer(method));
+        if !findings.is_empty() {
+            self.fail(&format!("the answer is wrong:{findings}"));
         }
-        self.fail(&what)
     }
 
     /// Panics if `method` does, or gives an index that is none; any other answer and any error will do.
@@ -66,6 +69,27 @@ impl Trial<'_> {
         // Nothing that the method may have left half done is looked at after a panic.
         catch_unwind(AssertUnwindSafe(|| method(points)))
             .unwrap_or_else(|panic| self.fail(&format!("it panicked: {}", message(&*panic))))
+    }
+
+    /// The answer, which a method must give where the kernel is exact.
+    fn answer<A>(&self, method: impl FnOnce(Points<'_, 2>) -> Result<A, HullError>) -> A {
+        self.run(method).unwrap_or_else(|error| {
+            self.fail(&format!("expected an answer but got the error: {error}"))
+        })
+    }
+
+    /// The first few findings of the checker, each on a line of its own; nothing for a right answer.
+    fn findings<A: Answer>(&self, answer: &A) -> String {
+        const MOST: usize = 5;
+        let findings = answer
+            .certify(self.points, self.boundary)
+            .err()
+            .unwrap_or_default();
+        findings
+            .iter()
+            .take(MOST)
+            .map(|finding| format!("\nfinding: {finding}"))
+            .collect()
     }
 
     #[cold]

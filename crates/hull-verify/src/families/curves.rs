@@ -20,7 +20,7 @@ pub fn circle(n: u32) -> Vec<Point2> {
         .collect()
 }
 
-/// All integer points on the circle of radius 65, exactly cocircular.
+/// All integer points on the circle of radius 65, exactly cocircular; those on the axes twice.
 pub fn integer_circle() -> Vec<Point2> {
     let legs = [(0, 65), (16, 63), (25, 60), (33, 56), (39, 52)];
     let mut points = Vec::new();
