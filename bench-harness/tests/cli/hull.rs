@@ -104,3 +104,32 @@ fn columns_are_taken_by_name_and_by_number() {
     let message = shop.run("hull t.csv --columns a,d").failure(3);
     assert!(message.contains("\"d\""), "{message}");
 }
+
+#[test]
+fn an_area_that_overflows_is_null_in_json() {
+    let shop = Workshop::new(&[("far.csv", "x,y\n0,0\n1e300,0\n0,1e300\n-0,0\n")]);
+    let json = shop.run("hull far.csv --format json").stdout();
+    let json: Value = serde_json::from_str(&json).unwrap();
+    assert!(json["area"].is_null());
+    assert_eq!(json["distinct"], 3);
+    assert_eq!(json["vertices"].as_array().unwrap().len(), 3);
+}
+
+#[test]
+fn every_real_set_has_a_certified_hull_and_certified_layers() {
+    let shop = Workshop::new(&[]);
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../data/points");
+    let mut sets = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "csv") {
+            continue;
+        }
+        sets += 1;
+        for command in ["hull", "peel"] {
+            let summary = shop.run_on(command, &path).stdout();
+            assert!(value(&summary, "certificate").starts_with("proved: "));
+        }
+    }
+    assert!(sets > 0);
+}

@@ -1,7 +1,9 @@
 //! A folder to run the program in, and what a run leaves behind.
 
 use assert_cmd::Command;
+use std::ffi::OsStr;
 use std::fs;
+use std::path::Path;
 use std::process::Output;
 use tempfile::TempDir;
 
@@ -22,10 +24,20 @@ impl Workshop {
         Self { folder }
     }
 
+    /// Runs the program with `arguments`, which are separated by blanks.
     pub(crate) fn run(&self, arguments: &str) -> Outcome {
+        self.launch(arguments.split_whitespace().map(OsStr::new))
+    }
+
+    /// Runs one command on a file, whatever its path.
+    pub(crate) fn run_on(&self, command: &str, path: &Path) -> Outcome {
+        self.launch([OsStr::new(command), path.as_os_str()])
+    }
+
+    fn launch<'a>(&self, arguments: impl IntoIterator<Item = &'a OsStr>) -> Outcome {
         let output = Command::new(env!("CARGO_BIN_EXE_hullbench"))
             .current_dir(self.folder.path())
-            .args(arguments.split_whitespace())
+            .args(arguments)
             .output()
             .unwrap();
         Outcome::of(output)
