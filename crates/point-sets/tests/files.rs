@@ -4,6 +4,8 @@ use point_sets::file::{
     Column, Delimiter, FileError, Header, PointFile, ReadOptions, read2, write_csv2,
 };
 use point_sets::{Spec, fingerprint};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 use std::io::Write;
 
 fn read_bytes(content: &[u8], options: &ReadOptions) -> Result<PointFile, FileError> {
@@ -96,6 +98,7 @@ fn pairs_of_names_are_known() {
             "Northing (m),Easting (m)\n1,2\n",
             ["field 2 (Easting (m))", "field 1 (Northing (m))"],
         ),
+        ("y2,x2,y1,x1\n8,9,1,2\n", ["field 4 (x1)", "field 3 (y1)"]),
         ("2019,y,x\n7,1,2\n", ["field 3 (x)", "field 2 (y)"]),
     ] {
         let file = read(content);
@@ -439,4 +442,39 @@ fn fields_are_those_of_another_splitter() {
         }
         assert_eq!(file.points.len(), pair.len());
     }
+}
+
+/// Files spoilt at random: no panic, and every error is at a place that the file has.
+#[test]
+fn spoilt_files_are_read_or_refused_at_a_place_that_exists() {
+    let sound = "\u{feff}name,x,y\n\"Rome, Italy\",1.5,2\n# note\n\nÅbo,-3e2,4\r\n\"a\nb\",5,6\n"
+        .as_bytes();
+    let pieces: [&[u8]; 10] = [
+        b"", b"\"", b",", b"\n", b"\r", b"nan", b"\xff", b" ", b"//", b";",
+    ];
+    let mut words = ChaCha8Rng::seed_from_u64(13);
+    let mut below = |bound: usize| words.next_u64() as usize % bound;
+    let mut refused = 0;
+    for _ in 0..3000 {
+        let mut content = sound.to_vec();
+        for _ in 0..1 + below(3) {
+            let start = below(content.len());
+            let end = (start + below(3)).min(content.len());
+            content.splice(start..end, pieces[below(pieces.len())].iter().copied());
+        }
+        match read_bytes(&content, &ReadOptions::default()) {
+            Ok(file) => assert_eq!(file.points.len(), file.rows.len()),
+            Err(error) => {
+                refused += 1;
+                let place = error.place.expect("the file could be opened");
+                let lines: Vec<_> = content.split(|byte| *byte == b'\n').collect();
+                let line = lines[place.line as usize - 1];
+                assert!(
+                    (1..=line.len() as u64 + 1).contains(&place.column),
+                    "{place:?}"
+                );
+            }
+        }
+    }
+    assert!((1000..2900).contains(&refused), "{refused}");
 }

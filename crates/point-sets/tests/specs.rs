@@ -34,7 +34,17 @@ fn canonical_text_reads_back() {
 
 #[test]
 fn every_name_and_every_default_can_be_given() {
-    for entry in catalogue() {
+    for (index, entry) in catalogue().iter().enumerate() {
+        assert!(
+            !entry.summary.is_empty() && !entry.source.is_empty(),
+            "{}",
+            entry.name
+        );
+        assert!(
+            catalogue()[..index]
+                .iter()
+                .all(|other| other.name != entry.name)
+        );
         let plain: Spec = entry.name.parse().unwrap();
         assert_eq!(plain.name(), entry.name);
         assert_eq!(plain.entry().summary, entry.summary);

@@ -61,13 +61,15 @@ impl fmt::Display for TakenColumn {
 /// Names of pairs of coordinates, x before y, in lower case.
 const PAIRS: &[(&[&str], &[&str])] = &[
     (&["x"], &["y"]),
+    (&["x0"], &["y0"]),
+    (&["x1"], &["y1"]),
     (&["lon", "long", "lng", "longitude"], &["lat", "latitude"]),
     (
         &["easting", "eastings", "east"],
         &["northing", "northings", "north"],
     ),
-    (&["x1"], &["x2"]),
     (&["x0"], &["x1"]),
+    (&["x1"], &["x2"]),
 ];
 
 /// What a field of the first record looks like.

@@ -12,8 +12,9 @@
 //! Of the points above a chord, the furthest is the one whose x is nearest to the middle of the chord. Above
 //! x₀x₁ that middle is (1 - a)/2, halfway between x₂ = a² and x₄ = a⁴ if a⁴ + a² + a = 1. The value 0.5698 is
 //! just below that root, so x₂ wins: nothing is left above x₀x₂, and all the rest above x₂x₁, which is the same
-//! picture again, mirrored and smaller. So every level costs a scan of all the points that are left and finds
-//! one: about 0.746 n² orientations for quickhull, n - 1 levels deep.
+//! picture again, mirrored and smaller. So every level looks at all the points that are left and finds one:
+//! n - 2 levels deep, and since a point left over is tested against one or, every other level, both of the new
+//! chords, about (3/4) n² orientations in all.
 //!
 //! A larger a would lengthen the sequence but break the pattern. y shrinks by a² at each point, and S lets it
 //! begin near the largest double; after [`LIMIT`] points it would leave the normal doubles. Exact kernels see
