@@ -4,9 +4,9 @@
 //!
 //! 1. **Filter.** The determinant in plain floating point with a bound on its error, one branch. The bound
 //!    covers underflow, and overflow makes the comparison fail, so what passes is right on any input.
-//! 2. **Adaptive** ([`expansion`]). Multi-term floating point (Shewchuk 1997), for coordinates whose
+//! 2. **Adaptive** (`expansion`). Multi-term floating point (Shewchuk 1997), for coordinates whose
 //!    exponents leave no room for overflow or underflow of any term.
-//! 3. **Integer** ([`scaled`]). The coordinates as integers times one power of two; always right.
+//! 3. **Integer** (`scaled`). The coordinates as integers times one power of two; always right.
 //!
 //! The filter is inlined where the question is asked; the other stages are out of line and marked cold.
 //!
@@ -21,10 +21,11 @@ mod circle;
 mod expansion;
 mod integer;
 mod planar;
-mod scaled;
+pub(crate) mod scaled;
 mod spatial;
 
-use crate::kernel::{InCircle, Kernel2, Kernel3, Stage};
+use crate::kernel::space::{Axis, Kernel3};
+use crate::kernel::{InCircle, Kernel2, Stage};
 use crate::points::{Point2, Point3};
 use crate::sign::Sign;
 use std::cmp::Ordering;
@@ -71,7 +72,24 @@ impl InCircle for Exact {
 impl Kernel3 for Exact {
     #[inline(always)]
     fn orient3_staged(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage) {
-        spatial::orient(a, b, c, d)
+        spatial::volume(a, b, c, a, d)
+    }
+
+    #[inline(always)]
+    fn compare_height_staged(
+        &self,
+        [a, b, c]: [Point3; 3],
+        p: Point3,
+        q: Point3,
+    ) -> (Ordering, Stage) {
+        let (sign, stage) = spatial::volume(a, b, c, q, p);
+        (sign.ordering(), stage)
+    }
+
+    #[inline(always)]
+    fn shadow_staged(&self, axis: Axis, a: Point3, b: Point3, c: Point3) -> (Sign, Stage) {
+        let [a, b, c] = [a, b, c].map(|p| axis.shadow_of(p));
+        planar::cross(a, b, a, c)
     }
 }
 

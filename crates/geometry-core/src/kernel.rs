@@ -12,9 +12,12 @@
 //! | [`compare_angle`](Kernel2::compare_angle) | which of a, b has the smaller polar angle about a centre |
 
 pub mod counted;
+pub mod lifted;
 pub mod perturbed;
+mod perturbed_space;
+pub mod space;
 
-use crate::points::{Point2, Point3};
+use crate::points::Point2;
 use crate::sign::Sign;
 use std::cmp::Ordering;
 
@@ -135,19 +138,6 @@ pub trait InCircle {
     #[inline(always)]
     fn in_circle(&self, a: Point2, b: Point2, c: Point2, d: Point2) -> Sign {
         self.in_circle_staged(a, b, c, d).0
-    }
-}
-
-/// The questions about points of space.
-pub trait Kernel3 {
-    /// [`orient3`](Self::orient3), with the stage that settled it.
-    fn orient3_staged(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage);
-
-    /// The orientation of the tetrahedron abcd: the sign of (b-a) × (c-a) · (d-a). `Positive` if, seen from
-    /// d, the triangle abc runs anticlockwise.
-    #[inline(always)]
-    fn orient3(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> Sign {
-        self.orient3_staged(a, b, c, d).0
     }
 }
 

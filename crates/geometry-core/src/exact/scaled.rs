@@ -32,18 +32,68 @@ pub(super) fn cross(a: Point2, b: Point2, c: Point2, d: Point2) -> Sign {
     }
 }
 
-/// The sign of (b-a) × (c-a) · (d-a).
-pub(super) fn orient_in_space(a: Point3, b: Point3, c: Point3, d: Point3) -> Sign {
-    fn evaluate<const L: usize>(points: &[Point3; 4], least: i32) -> Sign {
-        let [a, b, c, d] = points.map(|p| p.map(|x| integer::<L>(x, least)));
-        let from_a =
-            |p: &[Integer<L>; 3]| [p[0].minus(&a[0]), p[1].minus(&a[1]), p[2].minus(&a[2])];
-        determinant(&from_a(&b), &from_a(&c), &from_a(&d)).sign()
+/// The sign of (b-a) × (c-a) · (q-p) for the points a, b, c, p, q.
+pub(super) fn volume(points: [Point3; 5]) -> Sign {
+    fn evaluate<const L: usize>(points: &[Point3; 5], least: i32) -> Sign {
+        let [a, b, c, p, q] = points.map(|p| p.map(|x| integer::<L>(x, least)));
+        let difference = |to: &[Integer<L>; 3], from: &[Integer<L>; 3]| {
+            [
+                to[0].minus(&from[0]),
+                to[1].minus(&from[1]),
+                to[2].minus(&from[2]),
+            ]
+        };
+        determinant(
+            &difference(&b, &a),
+            &difference(&c, &a),
+            &difference(&q, &p),
+        )
+        .sign()
     }
-    let points = [a, b, c, d];
     match Span::of(points.as_flattened()) {
         Span::Narrow(least) => evaluate::<NARROW>(&points, least),
         Span::Wide(least) => evaluate::<WIDE>(&points, least),
+    }
+}
+
+/// The sign of (b-a) × (c-a) · (q-p) for the points a, b, c, p, q of the plane lifted to the paraboloid.
+///
+/// Heights are taken over the tangent plane at a, |p - a|², which shears space and changes no determinant of
+/// differences.
+pub(crate) fn lifted_volume(points: [Point2; 5]) -> Sign {
+    fn evaluate<const L: usize>(points: &[Point2; 5], least: i32) -> Sign {
+        let [a, b, c, p, q] = points.map(|p| p.map(|x| integer::<L>(x, least)));
+        let over_a = |p: &[Integer<L>; 2]| {
+            let (x, y) = (p[0].minus(&a[0]), p[1].minus(&a[1]));
+            let lift = x.times(&x).plus(&y.times(&y));
+            [x, y, lift]
+        };
+        let [p, q] = [over_a(&p), over_a(&q)];
+        let w = [q[0].minus(&p[0]), q[1].minus(&p[1]), q[2].minus(&p[2])];
+        determinant(&over_a(&b), &over_a(&c), &w).sign()
+    }
+    match Span::of(points.as_flattened()) {
+        Span::Narrow(least) => evaluate::<NARROW>(&points, least),
+        Span::Wide(least) => evaluate::<WIDE>(&points, least),
+    }
+}
+
+/// The orientation of a, b, c in the plane of one of their coordinates, as (coordinate, x² + y²).
+pub(crate) fn lifted_shadow(a: Point2, b: Point2, c: Point2, coordinate: usize) -> Sign {
+    fn evaluate<const L: usize>(points: &[Point2; 3], coordinate: usize, least: i32) -> Sign {
+        let [a, b, c] = points.map(|p| p.map(|x| integer::<L>(x, least)));
+        let lift = |p: &[Integer<L>; 2]| p[0].times(&p[0]).plus(&p[1].times(&p[1]));
+        let along = |p: &[Integer<L>; 2]| p[coordinate].minus(&a[coordinate]);
+        let up = |p: &[Integer<L>; 2]| lift(p).minus(&lift(&a));
+        along(&b)
+            .times(&up(&c))
+            .minus(&up(&b).times(&along(&c)))
+            .sign()
+    }
+    let points = [a, b, c];
+    match Span::of(points.as_flattened()) {
+        Span::Narrow(least) => evaluate::<NARROW>(&points, coordinate, least),
+        Span::Wide(least) => evaluate::<WIDE>(&points, coordinate, least),
     }
 }
 

@@ -1,4 +1,7 @@
-//! Orientation in space: (b-a) × (c-a) · (d-a).
+//! Two questions of space, one determinant: (b-a) × (c-a) · (q-p).
+//!
+//! Orientation of a, b, c, d is the case p = a, q = d. The comparison of the heights of two points over the plane
+//! abc is the determinant itself.
 
 use super::expansion::{Expansion, difference_of_products, difference_tail};
 use super::{RESULT, ROUNDING, UNDERFLOW, scaled, within};
@@ -20,16 +23,16 @@ const FIRST_ORDER: f64 = (26.0 + 288.0 * ROUNDING) * ROUNDING * ROUNDING;
 const SMALLEST: f64 = f64::from_bits((1023 - 300) << 52);
 const LARGEST: f64 = f64::from_bits((1023 + 330) << 52);
 
-/// The sign of (b-a) × (c-a) · (d-a), and the stage that settled it.
+/// The sign of (b-a) × (c-a) · (q-p), and the stage that settled it.
 ///
 /// The filter is right on all finite input: each product that underflows is off by at most 2⁻¹⁰⁷⁵, times the
 /// third factor where it is one of the inner products, and [`UNDERFLOW`] enters the permanent in each of those
 /// places; overflow makes the permanent, which is never less than |det|, infinite or NaN.
 #[inline(always)]
-pub(super) fn orient(a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage) {
+pub(super) fn volume(a: Point3, b: Point3, c: Point3, p: Point3, q: Point3) -> (Sign, Stage) {
     let u = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
     let v = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
-    let w = [d[0] - a[0], d[1] - a[1], d[2] - a[2]];
+    let w = [q[0] - p[0], q[1] - p[1], q[2] - p[2]];
     let (vw, wv) = (v[0] * w[1], v[1] * w[0]);
     let (wu, uw) = (w[0] * u[1], w[1] * u[0]);
     let (uv, vu) = (u[0] * v[1], u[1] * v[0]);
@@ -46,25 +49,26 @@ pub(super) fn orient(a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage
         };
         return (sign, Stage::Filter);
     }
-    orient_closely(a, b, c, d, permanent)
+    volume_closely([a, b, c, p, q], permanent)
 }
 
 #[cold]
 #[inline(never)]
-fn orient_closely(a: Point3, b: Point3, c: Point3, d: Point3, permanent: f64) -> (Sign, Stage) {
-    if within([a, b, c, d].as_flattened(), SMALLEST, LARGEST)
-        && let Some(sign) = orient_adaptively(a, b, c, d, permanent)
+fn volume_closely(points: [Point3; 5], permanent: f64) -> (Sign, Stage) {
+    if within(points.as_flattened(), SMALLEST, LARGEST)
+        && let Some(sign) = volume_adaptively(points, permanent)
     {
         return (sign, Stage::Adaptive);
     }
-    (scaled::orient_in_space(a, b, c, d), Stage::Integer)
+    (scaled::volume(points), Stage::Integer)
 }
 
 /// Shewchuk's stages B and C. What they leave open goes to the integers, which at these lengths are as fast
 /// as his stage D.
-fn orient_adaptively(a: Point3, b: Point3, c: Point3, d: Point3, permanent: f64) -> Option<Sign> {
-    let minus_a = |p: Point3| std::array::from_fn::<f64, 3, _>(|i| p[i] - a[i]);
-    let [u, v, w] = [b, c, d].map(minus_a);
+fn volume_adaptively([a, b, c, p, q]: [Point3; 5], permanent: f64) -> Option<Sign> {
+    let difference =
+        |to: Point3, from: Point3| std::array::from_fn::<f64, 3, _>(|i| to[i] - from[i]);
+    let [u, v, w] = [difference(b, a), difference(c, a), difference(q, p)];
     let minor = |p: &Point3, q: &Point3| difference_of_products(p[0], q[1], p[1], q[0]);
     let first: Expansion<8> = minor(&v, &w).times(u[2]);
     let second: Expansion<8> = minor(&w, &u).times(v[2]);
@@ -72,10 +76,10 @@ fn orient_adaptively(a: Point3, b: Point3, c: Point3, d: Point3, permanent: f64)
     let rounded: Expansion<16> = first.plus(&second);
     let rounded: Expansion<24> = rounded.plus(&third);
 
-    let tail = |p: Point3, rounded: &Point3| {
-        std::array::from_fn::<f64, 3, _>(|i| difference_tail(p[i], a[i], rounded[i]))
+    let tail = |to: Point3, from: Point3, rounded: &Point3| {
+        std::array::from_fn::<f64, 3, _>(|i| difference_tail(to[i], from[i], rounded[i]))
     };
-    let [u_tail, v_tail, w_tail] = [tail(b, &u), tail(c, &v), tail(d, &w)];
+    let [u_tail, v_tail, w_tail] = [tail(b, a, &u), tail(c, a, &v), tail(q, p, &w)];
     if [u_tail, v_tail, w_tail]
         .as_flattened()
         .iter()

@@ -1,6 +1,7 @@
 //! A kernel that counts the questions it is asked.
 
-use super::{InCircle, Kernel2, Kernel3, Stage};
+use super::space::{Axis, Kernel3};
+use super::{InCircle, Kernel2, Stage};
 use crate::points::{Point2, Point3};
 use crate::sign::Sign;
 use std::cell::Cell;
@@ -58,6 +59,10 @@ pub struct QuestionCounts {
     pub in_circles: StageCounts,
     /// Orientations of four points of space.
     pub orientations_in_space: StageCounts,
+    /// Comparisons of two heights over a plane.
+    pub heights: StageCounts,
+    /// Orientations of shadows.
+    pub shadows: StageCounts,
 }
 
 impl QuestionCounts {
@@ -70,6 +75,8 @@ impl QuestionCounts {
             + self.angles
             + self.in_circles.total()
             + self.orientations_in_space.total()
+            + self.heights.total()
+            + self.shadows.total()
     }
 }
 
@@ -82,6 +89,8 @@ impl AddAssign for QuestionCounts {
         self.angles += other.angles;
         self.in_circles += other.in_circles;
         self.orientations_in_space += other.orientations_in_space;
+        self.heights += other.heights;
+        self.shadows += other.shadows;
     }
 }
 
@@ -171,5 +180,22 @@ impl<K: Kernel3> Kernel3 for Counted<K> {
         let answer = self.inner.orient3_staged(a, b, c, d);
         self.count(|n| n.orientations_in_space.add(answer.1));
         answer
+    }
+
+    fn compare_height_staged(&self, plane: [Point3; 3], p: Point3, q: Point3) -> (Ordering, Stage) {
+        let answer = self.inner.compare_height_staged(plane, p, q);
+        self.count(|n| n.heights.add(answer.1));
+        answer
+    }
+
+    fn shadow_staged(&self, axis: Axis, a: Point3, b: Point3, c: Point3) -> (Sign, Stage) {
+        let answer = self.inner.shadow_staged(axis, a, b, c);
+        self.count(|n| n.shadows.add(answer.1));
+        answer
+    }
+
+    fn lexicographic3(&self, a: Point3, b: Point3) -> Ordering {
+        self.count(|n| n.lexicographic += 1);
+        self.inner.lexicographic3(a, b)
     }
 }
