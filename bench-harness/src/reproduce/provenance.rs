@@ -1,0 +1,161 @@
+//! What a reader needs to run a report again: the head of every file.
+
+use std::fs;
+use std::process::Command;
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// Where a report comes from.
+#[derive(Clone, Debug)]
+pub(crate) struct Provenance {
+    entries: Vec<(&'static str, String)>,
+}
+
+impl Provenance {
+    /// Describes this run, this machine and this build.
+    pub(crate) fn collect(command: String, seed: u64) -> Self {
+        let entries = vec![
+            ("command", command),
+            ("seed", seed.to_string()),
+            ("commit", commit()),
+            ("machine", machine()),
+            ("kernel", first_line("/proc/sys/kernel/osrelease")),
+            ("load before", first_line("/proc/loadavg")),
+            ("compiler", output("rustc", &["--version"])),
+            ("build", build().to_owned()),
+            ("date", now()),
+        ];
+        Self { entries }
+    }
+
+    /// Adds what is known only at the end.
+    pub(crate) fn finish(&mut self, seconds: u64) {
+        self.entries
+            .push(("load after", first_line("/proc/loadavg")));
+        self.entries
+            .push(("took", format!("{} min {} s", seconds / 60, seconds % 60)));
+    }
+
+    /// As lines, each starting with `mark`.
+    pub(crate) fn comment(&self, mark: &str) -> String {
+        let line = |(key, value): &(&str, String)| format!("{mark}{key}: {value}\n");
+        self.entries.iter().map(line).collect()
+    }
+
+    /// As a Markdown block.
+    pub(crate) fn markdown(&self) -> String {
+        format!("```text\n{}```\n", self.comment(""))
+    }
+}
+
+fn commit() -> String {
+    let hash = output("git", &["rev-parse", "HEAD"]);
+    // A report being regenerated is a change too, so only the sources count.
+    let status = output("git", &["status", "--porcelain", "--", ".", ":!reports"]);
+    match (hash.as_str(), status.as_str()) {
+        ("unknown", _) => hash,
+        (_, "") => hash,
+        _ => format!("{hash} with uncommitted changes"),
+    }
+}
+
+fn machine() -> String {
+    let cpu = field("/proc/cpuinfo", "model name");
+    let model = format!(
+        "family {} model {}",
+        field("/proc/cpuinfo", "cpu family"),
+        field("/proc/cpuinfo", "model\t")
+    );
+    let cores = std::thread::available_parallelism().map_or(0, usize::from);
+    let memory = field("/proc/meminfo", "MemTotal");
+    format!(
+        "{cpu}, {model}, {cores} cores, {memory} memory, {}",
+        std::env::consts::ARCH
+    )
+}
+
+fn build() -> &'static str {
+    if cfg!(debug_assertions) {
+        "with assertions (times are not those of a release build)"
+    } else {
+        "release"
+    }
+}
+
+/// The value of the first line of the form "key : value".
+fn field(path: &str, key: &str) -> String {
+    let text = fs::read_to_string(path).unwrap_or_default();
+    let line = text.lines().find(|line| line.starts_with(key));
+    line.and_then(|line| line.split_once(':')).map_or_else(
+        || "unknown".to_owned(),
+        |(_, value)| value.trim().to_owned(),
+    )
+}
+
+fn first_line(path: &str) -> String {
+    let text = fs::read_to_string(path).unwrap_or_default();
+    text.lines().next().unwrap_or("unknown").to_owned()
+}
+
+fn output(program: &str, arguments: &[&str]) -> String {
+    let run = Command::new(program).args(arguments).output();
+    match run {
+        Ok(run) if run.status.success() => String::from_utf8_lossy(&run.stdout).trim().to_owned(),
+        _ => "unknown".to_owned(),
+    }
+}
+
+/// The time now, as RFC 3339 in UTC.
+fn now() -> String {
+    let seconds = SystemTime::now()
+        .duration_since(UNIX_EPOCH)
+        .map_or(0, |since| since.as_secs());
+    date(seconds)
+}
+
+/// Seconds since 1970 as a date, by the days of the Gregorian calendar counted from 1 March of year 0.
+fn date(seconds: u64) -> String {
+    let days = seconds / 86_400 + 719_468;
+    let era = days / 146_097;
+    let day_of_era = days % 146_097;
+    let year_of_era =
+        (day_of_era - day_of_era / 1_460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    let from_march = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * from_march + 2) / 5 + 1;
+    let month = if from_march < 10 {
+        from_march + 3
+    } else {
+        from_march - 9
+    };
+    let year = year_of_era + era * 400 + u64::from(month <= 2);
+    let (hour, minute, second) = (seconds / 3_600 % 24, seconds / 60 % 60, seconds % 60);
+    format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}Z")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn known_dates() {
+        assert_eq!(date(0), "1970-01-01T00:00:00Z");
+        assert_eq!(date(951_782_400), "2000-02-29T00:00:00Z");
+        assert_eq!(date(1_795_000_000), "2026-11-18T11:06:40Z");
+    }
+
+    #[test]
+    fn every_line_is_a_comment() {
+        let provenance = Provenance::collect("hullbench reproduce".into(), 5);
+        assert!(
+            provenance
+                .comment("# ")
+                .lines()
+                .all(|line| line.starts_with("# "))
+        );
+        assert!(
+            provenance
+                .markdown()
+                .starts_with("```text\ncommand: hullbench reproduce\nseed: 5\n")
+        );
+    }
+}

@@ -1,0 +1,19 @@
+//! The statistics that tables and verdicts stand on: plain functions of plain slices.
+//!
+//! | module | answers |
+//! |---|---|
+//! | [`summary`] | mean, spread, median, quantiles |
+//! | [`wilson`] | between which proportions does k of n leave the truth |
+//! | [`bootstrap`] | how far would a median move with other realisations |
+//! | [`kendall`] | how alike are two orders |
+//! | [`line`] | slope of a weighted line, and its interval |
+//! | [`interval`] | what an interval says about a target or a bound |
+//! | [`holm`] | which of many small p-values are still small together |
+
+pub(crate) mod bootstrap;
+pub(crate) mod holm;
+pub(crate) mod interval;
+pub(crate) mod kendall;
+pub(crate) mod line;
+pub(crate) mod summary;
+pub(crate) mod wilson;
