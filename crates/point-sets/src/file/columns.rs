@@ -86,9 +86,10 @@ fn look(value: &str) -> Look {
         return Look::Number;
     }
     let digits = value.trim_start_matches(['+', '-', '.']);
-    match digits.starts_with(|letter: char| letter.is_ascii_digit()) {
-        true => Look::Almost,
-        false => Look::Word,
+    if digits.starts_with(|letter: char| letter.is_ascii_digit()) {
+        Look::Almost
+    } else {
+        Look::Word
     }
 }
 

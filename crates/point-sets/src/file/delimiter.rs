@@ -24,6 +24,12 @@ pub(super) enum SplitError {
     AfterQuote(usize),
 }
 
+/// Where a field ends, and where the blanks after it do: at a separator, or at the end of the text.
+struct End {
+    field: usize,
+    margin: usize,
+}
+
 impl Delimiter {
     /// Its name, for messages.
     pub fn name(self) -> &'static str {
@@ -69,42 +75,52 @@ impl Delimiter {
         fields: &mut Vec<Range<usize>>,
     ) -> Result<(), SplitError> {
         fields.clear();
-        let bytes = text.as_bytes();
         let mut at = 0;
         loop {
-            at = self.skip_blanks(bytes, at);
-            if self == Delimiter::Whitespace && at == bytes.len() {
+            let start = self.skip_blanks(text, at);
+            if self == Delimiter::Whitespace && start == text.len() {
                 return Ok(());
             }
-            let start = at;
-            let end;
-            if bytes.get(at) == Some(&b'"') {
-                end = quote_end(bytes, start).ok_or(SplitError::Unclosed(start))?;
-                at = self.skip_blanks(bytes, end);
-                let joined = at == end && self == Delimiter::Whitespace;
-                if at < bytes.len()
-                    && (joined || self != Delimiter::Whitespace)
-                    && !self.separates(bytes[at])
-                {
-                    return Err(SplitError::AfterQuote(at));
-                }
+            let end = if text[start..].starts_with('"') {
+                self.quoted_end(text, start)?
             } else {
-                let length = bytes[at..].iter().position(|&byte| self.separates(byte));
-                at = length.map_or(bytes.len(), |length| at + length);
-                end = start + text[start..at].trim_ascii_end().len();
-            }
-            fields.push(start..end);
-            if at == bytes.len() {
+                self.plain_end(text, start)
+            };
+            fields.push(start..end.field);
+            if end.margin == text.len() {
                 return Ok(());
             }
-            if self != Delimiter::Whitespace {
-                at += 1;
-            }
+            at = end.margin + 1;
+        }
+    }
+
+    fn plain_end(self, text: &str, start: usize) -> End {
+        let rest = &text.as_bytes()[start..];
+        let length = rest
+            .iter()
+            .position(|&byte| self.separates(byte))
+            .unwrap_or(rest.len());
+        End {
+            field: start + rest[..length].trim_ascii_end().len(),
+            margin: start + length,
+        }
+    }
+
+    fn quoted_end(self, text: &str, start: usize) -> Result<End, SplitError> {
+        let field = quote_end(text.as_bytes(), start).ok_or(SplitError::Unclosed(start))?;
+        let margin = match self {
+            Delimiter::Whitespace => field,
+            _ => self.skip_blanks(text, field),
+        };
+        match text.as_bytes().get(margin) {
+            Some(&byte) if !self.separates(byte) => Err(SplitError::AfterQuote(margin)),
+            _ => Ok(End { field, margin }),
         }
     }
 
     /// The first offset from `at` that is not a blank inside a field's margin.
-    fn skip_blanks(self, bytes: &[u8], mut at: usize) -> usize {
+    fn skip_blanks(self, text: &str, mut at: usize) -> usize {
+        let bytes = text.as_bytes();
         let margin = |byte: u8| byte == b' ' || (byte == b'\t' && self != Delimiter::Tab);
         while at < bytes.len() && margin(bytes[at]) {
             at += 1;
