@@ -63,18 +63,20 @@
 //! monotone chain. When an adversary chooses the points: the worst case is quadratic.
 
 mod arrays;
+mod base;
 mod bookkeeping;
+mod call;
 mod forming;
-mod scan;
+mod split;
 
 pub(crate) use arrays::{Arrays, PeelLabel};
 pub(crate) use bookkeeping::Peeling;
 
 use arrays::{EDGE, Item, Label};
 use bookkeeping::{Bare, Bookkeeping, Single};
+use call::Call;
 use geometry_core::sort::merge_sort;
 use geometry_core::{Boundary, Hull2, HullError, Kernel2, Observer, Point2, Points, Step};
-use scan::Call;
 use std::cmp::Ordering;
 
 /// The convex hull of `points` by method GS, as the paper has it: with the bookkeeping that peeling needs.

@@ -1,5 +1,6 @@
 //! A test list while it is formed.
 
+use super::call::Draft;
 use geometry_core::{Boundary, Kernel2, Point2, Points};
 use std::cmp::Ordering;
 
@@ -77,7 +78,7 @@ impl Forming {
         let &[head, ..] = ids else {
             return;
         };
-        let (mut best, mut furthest, mut place) =
+        let (mut best, mut furthest, mut cell) =
             self.furthest.unwrap_or((head, points[head], first));
         let fresh = usize::from(self.furthest.is_none());
         for (offset, &id) in ids.iter().enumerate().skip(fresh) {
@@ -90,15 +91,18 @@ impl Forming {
                     Ordering::Less => false,
                 };
             if further {
-                (best, furthest, place) = (id, point, first + offset);
+                (best, furthest, cell) = (id, point, first + offset);
             }
         }
-        self.furthest = Some((best, furthest, place));
+        self.furthest = Some((best, furthest, cell));
     }
 
-    /// The cell of the furthest point, or `None` if the `len` points listed are all doubtful.
-    pub(super) fn furthest_of(&self, len: usize) -> Option<usize> {
-        let (_, _, place) = self.furthest?;
-        (self.doubtful < len).then_some(place)
+    /// The list as it will be in NWK, at `at` and of `len` points. It has no furthest point if all are doubtful.
+    pub(super) fn draft(&self, at: usize, len: usize) -> Draft {
+        let furthest = match self.furthest {
+            Some((.., cell)) if self.doubtful < len => Some(cell),
+            _ => None,
+        };
+        Draft { at, len, furthest }
     }
 }
