@@ -4,6 +4,8 @@ use geometry_core::{Boundary, Hull2, Layers, Point2};
 use hull_verify::check::{self, Finding};
 use hull_verify::families::{self, curves, grids};
 use hull_verify::oracle;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 
 const BOUNDARIES: [Boundary; 2] = [Boundary::Extreme, Boundary::All];
 
@@ -302,4 +304,53 @@ fn a_defect_of_a_ring_is_named_with_the_ring() {
             finding: Box::new(Finding::Clockwise)
         }]
     );
+}
+
+/// Of all ways to give ranks to the points of a small set, each ring being the hull of the points of its rank,
+/// the checker certifies the right one alone.
+#[test]
+fn of_all_assignments_of_ranks_exactly_the_right_one_is_certified() {
+    let lattice = |cells: [u32; 5]| cells.map(|cell| [f64::from(cell % 3), f64::from(cell / 3)]);
+    let mut rng = ChaCha8Rng::seed_from_u64(7);
+    for _ in 0..150 {
+        let points = lattice(std::array::from_fn(|_| rng.random_range(0..9)));
+        for boundary in BOUNDARIES {
+            let right = oracle::layers(&points, boundary);
+            let mut certified = 0;
+            for number in 0..5_u32.pow(5) {
+                let ranks: Vec<u32> = (0..5)
+                    .map(|place| number / 5_u32.pow(place) % 5 + 1)
+                    .collect();
+                let rings = (1..=ranks.iter().copied().max().unwrap_or(0))
+                    .map(|rank| hull_of_rank(&points, &ranks, rank, boundary))
+                    .collect();
+                let layers = Layers::new(rings, ranks);
+                let verdict = check::layers(&points, boundary, &layers);
+                assert_eq!(
+                    verdict.is_ok(),
+                    layers == right,
+                    "{points:?} {layers:?}: {verdict:?}"
+                );
+                certified += u32::from(verdict.is_ok());
+            }
+            assert_eq!(certified, 1, "{points:?}");
+        }
+    }
+}
+
+/// The hull of the points of one rank.
+fn hull_of_rank(points: &[Point2], ranks: &[u32], rank: u32, boundary: Boundary) -> Hull2 {
+    let members: Vec<u32> = (0..)
+        .zip(ranks)
+        .filter(|&(_, &r)| r == rank)
+        .map(|(id, _)| id)
+        .collect();
+    let places: Vec<Point2> = members.iter().map(|&id| points[id as usize]).collect();
+    let back = |ids: Vec<u32>| ids.into_iter().map(|id| members[id as usize]).collect();
+    match oracle::hull2(&places, boundary) {
+        Hull2::Empty => Hull2::Empty,
+        Hull2::Point(id) => Hull2::Point(members[id as usize]),
+        Hull2::Segment(ids) => Hull2::Segment(back(ids)),
+        Hull2::Polygon(ids) => Hull2::Polygon(back(ids)),
+    }
 }
