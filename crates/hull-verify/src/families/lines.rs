@@ -151,7 +151,6 @@ pub fn classroom(k: usize) -> Vec<Point2> {
     let u = f64::EPSILON / 2.0;
     let near = |i: usize| 0.5 + i as f64 * u;
     let mut points = vec![[12.0, 12.0], [24.0, 24.0]];
-    // The values just above 1/2 are 2u apart below 1, so the odd steps round to their neighbours: copies too.
     points.extend((0..k * k).map(|cell| [near(cell / k), near(cell % k)]));
     points
 }

@@ -3,7 +3,7 @@
 use super::{BOUNDARIES, findings, hulls};
 use geometry_core::{Boundary, Hull2, Point2};
 use hull_verify::check::{self, Finding};
-use hull_verify::families::{self, lines};
+use hull_verify::families::lines;
 use hull_verify::oracle;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
