@@ -16,7 +16,9 @@
 //! | [`kernel`] | the questions ([`Kernel2`], [`InCircle`], [`Kernel3`]) and the decorators |
 //! | [`exact`] | the exact answers: filter, adaptive expansions, scaled integers |
 //! | [`tolerance`] | the answers of 1979: areas below an epsilon are zero, in five number formats |
-//! | [`hull2`], [`layers`] | canonical results, equal (`==`) exactly when the geometry is equal |
+//! | [`hull2`], [`hull3`], [`layers`], [`triangulation`] | canonical results, equal (`==`) exactly when the geometry is equal |
+//! | [`dimension`] | the affine dimension of a set in space, and the way down to the plane |
+//! | [`mesh`] | the triangulated surface that spatial algorithms grow |
 //! | [`sort`] | a sort that no comparison can upset |
 //! | [`observer`] | hooks for counting and teaching that cost nothing when off |
 //! | [`method`] | the registry entry of an algorithm |
@@ -27,21 +29,26 @@
 //! orientation is anticlockwise, with x to the right and y up. Polygons run anticlockwise from their
 //! lexicographically smallest vertex.
 
+pub mod dimension;
 pub mod error;
 pub mod exact;
 pub mod hull2;
+pub mod hull3;
 pub mod kernel;
 pub mod layers;
+pub mod mesh;
 pub mod method;
 pub mod observer;
 pub mod points;
 pub mod sign;
 pub mod sort;
 pub mod tolerance;
+pub mod triangulation;
 
 pub use error::HullError;
 pub use exact::Exact;
 pub use hull2::{Boundary, Hull2};
+pub use hull3::{Hull3, Solid};
 pub use kernel::counted::{Counted, QuestionCounts, StageCounts};
 pub use kernel::lifted::Lifted;
 pub use kernel::perturbed::Perturbed;
@@ -53,3 +60,4 @@ pub use observer::{Observer, Recorder, Silent, Step, Tally};
 pub use points::{Point2, Point3, Points};
 pub use sign::Sign;
 pub use tolerance::Tolerance;
+pub use triangulation::Triangulation;

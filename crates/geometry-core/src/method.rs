@@ -5,10 +5,13 @@
 
 use crate::error::HullError;
 use crate::hull2::{Boundary, Hull2};
+use crate::hull3::Hull3;
 use crate::kernel::Kernel2;
+use crate::kernel::space::Kernel3;
 use crate::layers::Layers;
 use crate::observer::{Recorder, Tally};
 use crate::points::Points;
+use crate::triangulation::Triangulation;
 
 /// An algorithm: what it is, what it promises, and how to run it.
 #[derive(Clone, Copy, Debug)]
@@ -35,35 +38,56 @@ pub enum Task {
     PlanarHull(PlanarHull),
     /// The convex layers of points of the plane.
     PlanarLayers(PlanarLayers),
+    /// The convex hull of points of space.
+    SpatialHull(SpatialHull),
+    /// The Delaunay triangulation of points of the plane.
+    Delaunay(Delaunay),
 }
 
-/// The ways to run a method whose result is `T`, each an instance of one generic source.
-macro_rules! planar_entry {
-    ($(#[$doc:meta])* $name:ident, $result:ty) => {
+/// The ways to run a method, each an instance of one generic source.
+macro_rules! entry {
+    ($(#[$doc:meta])* $name:ident, ($($input:ty),+), $kernel:path, $result:ty) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
         pub struct $name {
             /// With the exact kernel, unobserved: the instance that is timed.
-            pub exact: fn(Points<'_, 2>, Boundary) -> Result<$result, HullError>,
+            pub exact: fn($($input),+) -> Result<$result, HullError>,
             /// With any kernel, steps tallied: the instance for counts and for historical arithmetic.
-            pub tallied: fn(Points<'_, 2>, Boundary, &dyn Kernel2, &mut Tally) -> Result<$result, HullError>,
+            pub tallied: fn($($input),+, &dyn $kernel, &mut Tally) -> Result<$result, HullError>,
             /// With any kernel, every step recorded: the instance for teaching.
-            pub recorded:
-                fn(Points<'_, 2>, Boundary, &dyn Kernel2, &mut Recorder) -> Result<$result, HullError>,
+            pub recorded: fn($($input),+, &dyn $kernel, &mut Recorder) -> Result<$result, HullError>,
         }
     };
 }
 
-planar_entry!(
+entry!(
     /// The instances of a planar hull method.
     PlanarHull,
+    (Points<'_, 2>, Boundary),
+    Kernel2,
     Hull2
 );
-planar_entry!(
+entry!(
     /// The instances of a planar layers method.
     PlanarLayers,
+    (Points<'_, 2>, Boundary),
+    Kernel2,
     Layers
 );
+entry!(
+    /// The instances of a spatial hull method.
+    SpatialHull,
+    (Points<'_, 3>),
+    Kernel3,
+    Hull3
+);
+
+/// The instance of a Delaunay method.
+#[derive(Clone, Copy, Debug)]
+pub struct Delaunay {
+    /// With the exact kernel, unobserved: the instance that is timed.
+    pub exact: fn(Points<'_, 2>) -> Result<Triangulation, HullError>,
+}
 
 /// The [`Task`] of a generic function
 /// `fn<K: Kernel2, O: Observer>(Points<'_, 2>, Boundary, &K, &mut O) -> Result<R, HullError>`:
@@ -79,6 +103,19 @@ macro_rules! planar_task {
             recorded: |points, boundary, kernel, recorder| {
                 $function(points, boundary, &kernel, recorder)
             },
+        })
+    };
+}
+
+/// The [`Task`] of a generic function
+/// `fn<K: Kernel3, O: Observer>(Points<'_, 3>, &K, &mut O) -> Result<Hull3, HullError>`.
+#[macro_export]
+macro_rules! spatial_task {
+    ($function:path) => {
+        $crate::method::Task::SpatialHull($crate::method::SpatialHull {
+            exact: |points| $function(points, &$crate::Exact, &mut $crate::Silent),
+            tallied: |points, kernel, tally| $function(points, &kernel, tally),
+            recorded: |points, kernel, recorder| $function(points, &kernel, recorder),
         })
     };
 }

@@ -27,6 +27,12 @@ pub enum Step {
     Bridge(u32, u32),
     /// Two hulls of this many vertices in all were merged.
     Merge(u32),
+    /// A facet with these corners was made.
+    Facet(u32, u32, u32),
+    /// A facet with these corners was dropped.
+    Drop(u32, u32, u32),
+    /// The angle of a candidate edge was examined in a merge by wrapping.
+    Candidate(u32),
     /// A layer with this 1-based number is complete.
     Layer(u32),
     /// The working storage beyond the promised arrays now holds this many records.
@@ -96,6 +102,12 @@ pub struct Tally {
     pub bridges: u64,
     /// Merges ([`Step::Merge`]).
     pub merges: u64,
+    /// Facets made ([`Step::Facet`]).
+    pub facets: u64,
+    /// Facets dropped ([`Step::Drop`]).
+    pub drops: u64,
+    /// Candidates examined ([`Step::Candidate`]).
+    pub candidates: u64,
     /// Layers completed ([`Step::Layer`]).
     pub layers: u64,
     /// The most records of working storage in use at once ([`Step::Storage`]).
@@ -116,6 +128,9 @@ impl Observer for Tally {
             Step::Insert(_) => self.inserts += 1,
             Step::Bridge(..) => self.bridges += 1,
             Step::Merge(_) => self.merges += 1,
+            Step::Facet(..) => self.facets += 1,
+            Step::Drop(..) => self.drops += 1,
+            Step::Candidate(_) => self.candidates += 1,
             Step::Layer(_) => self.layers += 1,
             Step::Storage(records) => self.storage = self.storage.max(u64::from(records)),
         }

@@ -5,7 +5,9 @@ use num_bigint::{BigInt, Sign as BigSign};
 
 /// The lattice 3 x 3 x 3 in lexicographic order, so that the index is the rank.
 fn lattice() -> Vec<Point3> {
-    (0..27).map(|i| [i / 9, i / 3 % 3, i % 3].map(f64::from)).collect()
+    (0..27)
+        .map(|i| [i / 9, i / 3 % 3, i % 3].map(f64::from))
+        .collect()
 }
 
 type Moved = [BigInt; 3];
@@ -62,7 +64,11 @@ fn orientations_are_those_of_moved_points() {
                     let exact = Exact.orient3(a, b, c, d);
                     if exact.is_zero() {
                         degenerate += 1;
-                        assert_eq!(answer, sign(&volume(&moved([a, b, c, d]))), "{a:?} {b:?} {c:?} {d:?}");
+                        assert_eq!(
+                            answer,
+                            sign(&volume(&moved([a, b, c, d]))),
+                            "{a:?} {b:?} {c:?} {d:?}"
+                        );
                     } else {
                         assert_eq!(answer, exact);
                     }
@@ -72,7 +78,10 @@ fn orientations_are_those_of_moved_points() {
             }
         }
     }
-    assert!(degenerate > 1000, "the lattice has many coplanar quadruples, found {degenerate}");
+    assert!(
+        degenerate > 1000,
+        "the lattice has many coplanar quadruples, found {degenerate}"
+    );
 }
 
 #[test]
@@ -97,5 +106,8 @@ fn shadows_are_those_of_moved_points() {
 #[test]
 fn copies_still_give_zero() {
     let p = [1.0, 2.0, 3.0];
-    assert_eq!(Perturbed(Exact).orient3(p, [0.0; 3], p, [4.0, 0.0, 1.0]), Sign::Zero);
+    assert_eq!(
+        Perturbed(Exact).orient3(p, [0.0; 3], p, [4.0, 0.0, 1.0]),
+        Sign::Zero
+    );
 }

@@ -1,0 +1,177 @@
+//! The convex hull of a point set in space, as a canonical value.
+
+mod facets;
+mod measure;
+
+pub use measure::Location;
+
+use crate::kernel::space::{Kernel3, lexicographic3};
+use crate::mesh::TriMesh;
+use crate::points::Points;
+
+/// The convex hull of a point set in space.
+///
+/// Canonical: two right answers for the same points are equal values. Vertices are exactly the extreme points; of
+/// equal points the smallest index stands for all.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Hull3 {
+    /// The hull of no points.
+    Empty,
+    /// All points are copies of this one.
+    Point(u32),
+    /// All points are collinear: the lexicographically smallest and largest.
+    Segment([u32; 2]),
+    /// All points are in one plane: the corners in order, from the lexicographically smallest, towards the
+    /// lexicographically smaller of its two neighbours.
+    Planar(Vec<u32>),
+    /// The points span space.
+    Solid(Solid),
+}
+
+/// A polyhedron: its true facets, which are the maximal planar polygons, each anticlockwise seen from outside.
+///
+/// Each facet begins with its smallest index, and the facets are in lexicographic order as lists of indices.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Solid {
+    vertices: Vec<u32>,
+    /// Facet i is `corners[starts[i]..starts[i + 1]]`.
+    starts: Vec<u32>,
+    corners: Vec<u32>,
+}
+
+impl Hull3 {
+    /// The hull bounded by `mesh`, whose triangles may be coplanar with their neighbours, and flat: the exact
+    /// hull of points that a perturbed kernel told apart.
+    ///
+    /// Coplanar triangles are merged into facets, and corners that are not extreme are dropped. `kernel` must be
+    /// exact and must not be perturbed; the surface must be that of a convex polyhedron, up to an infinitesimal
+    /// displacement of its corners.
+    ///
+    /// # Cost
+    ///
+    /// O(f) orientations and O(f log f) time for f triangles; O(k log k) more for a facet of k triangles.
+    pub fn from_mesh<K: Kernel3>(points: Points<'_, 3>, mesh: &TriMesh, kernel: &K) -> Self {
+        Hull3::Solid(Solid::from_loops(facets::facets(points, mesh, kernel)))
+    }
+
+    /// The planar hull with these corners in cyclic order, in either direction.
+    pub(crate) fn of_polygon(points: Points<'_, 3>, mut ids: Vec<u32>) -> Self {
+        let by_place = |&i: &usize, &j: &usize| lexicographic3(points[ids[i]], points[ids[j]]);
+        let first = (0..ids.len()).min_by(by_place).unwrap_or(0);
+        ids.rotate_left(first);
+        if let [_, second, .., last] = ids[..]
+            && lexicographic3(points[last], points[second]).is_lt()
+        {
+            ids[1..].reverse();
+        }
+        Hull3::Planar(ids)
+    }
+
+    /// The vertices: ascending for a solid, otherwise in the order of the variant.
+    pub fn vertices(&self) -> &[u32] {
+        match self {
+            Hull3::Empty => &[],
+            Hull3::Point(id) => std::slice::from_ref(id),
+            Hull3::Segment(ends) => ends,
+            Hull3::Planar(ids) => ids,
+            Hull3::Solid(solid) => &solid.vertices,
+        }
+    }
+
+    /// The number of vertices, h.
+    pub fn len(&self) -> usize {
+        self.vertices().len()
+    }
+
+    /// Whether there is no vertex: the hull of no points.
+    pub fn is_empty(&self) -> bool {
+        self.vertices().is_empty()
+    }
+
+    /// The dimension of the hull: `None` if empty, otherwise 0 to 3.
+    pub fn dimension(&self) -> Option<usize> {
+        match self {
+            Hull3::Empty => None,
+            Hull3::Point(_) => Some(0),
+            Hull3::Segment(_) => Some(1),
+            Hull3::Planar(_) => Some(2),
+            Hull3::Solid(_) => Some(3),
+        }
+    }
+
+    /// The facets of a solid, or none.
+    pub fn facets(&self) -> impl Iterator<Item = &[u32]> {
+        let solid = if let Hull3::Solid(solid) = self {
+            Some(solid)
+        } else {
+            None
+        };
+        solid.into_iter().flat_map(Solid::facets)
+    }
+
+    /// The boundary as triangles, anticlockwise seen from outside: each facet of a solid as a fan from its first
+    /// corner. Empty below dimension 3.
+    pub fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
+        self.facets().flat_map(|facet| {
+            facet
+                .windows(2)
+                .skip(1)
+                .map(|edge| [facet[0], edge[0], edge[1]])
+        })
+    }
+}
+
+impl Solid {
+    /// The solid with these facets, each a list of corners anticlockwise seen from outside, starting anywhere.
+    ///
+    /// Only puts them in canonical order; that they bound a convex polyhedron is for the caller to know, or for a
+    /// checker to find out.
+    ///
+    /// # Cost
+    ///
+    /// O(m log m) time for m corners in all.
+    pub fn from_loops(mut loops: Vec<Vec<u32>>) -> Self {
+        for corners in &mut loops {
+            let first = (0..corners.len()).min_by_key(|&i| corners[i]).unwrap_or(0);
+            corners.rotate_left(first);
+        }
+        loops.sort_unstable();
+        let mut starts = Vec::with_capacity(loops.len() + 1);
+        let mut corners = Vec::with_capacity(loops.iter().map(Vec::len).sum());
+        for facet in loops {
+            starts.push(corners.len() as u32);
+            corners.extend(facet);
+        }
+        starts.push(corners.len() as u32);
+        let mut vertices = corners.clone();
+        vertices.sort_unstable();
+        vertices.dedup();
+        Self {
+            vertices,
+            starts,
+            corners,
+        }
+    }
+
+    /// The facets in canonical order.
+    pub fn facets(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+        self.starts
+            .windows(2)
+            .map(|range| &self.corners[range[0] as usize..range[1] as usize])
+    }
+
+    /// The vertices in ascending order.
+    pub fn vertices(&self) -> &[u32] {
+        &self.vertices
+    }
+
+    /// The number of facets.
+    pub fn facet_count(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// The number of edges.
+    pub fn edge_count(&self) -> usize {
+        self.corners.len() / 2
+    }
+}

@@ -1,0 +1,252 @@
+//! A triangulated surface: the working state of every spatial hull algorithm that grows one.
+//!
+//! Triangles live in an arena and name their three corners and their three neighbours. A *side* is one directed
+//! edge of one triangle, numbered `3 · triangle + corner`, from that corner to the next; anticlockwise seen from
+//! outside.
+//!
+//! ```text
+//!             c                      side 3t   runs a -> b, its twin b -> a in the triangle below
+//!            / \                     side 3t+1 runs b -> c
+//!   3t+2    /   \  3t+1              side 3t+2 runs c -> a
+//!          /  t  \
+//!         a ----- b
+//!             3t
+//! ```
+//!
+//! Invariants, outside of a change to the surface:
+//!
+//! 1. `twin(twin(s)) == s`, and the twin of a side from p to q runs from q to p.
+//! 2. Triangles that were removed are on the free list, and no living triangle is linked to one.
+
+/// A triangle of a [`TriMesh`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct TriangleId(pub u32);
+
+/// A directed edge of a triangle of a [`TriMesh`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct SideId(pub u32);
+
+impl TriangleId {
+    /// Its side from corner `corner` (0, 1 or 2) to the next.
+    #[inline(always)]
+    pub fn side(self, corner: u32) -> SideId {
+        SideId(3 * self.0 + corner)
+    }
+
+    /// Its three sides, in order round it.
+    #[inline(always)]
+    pub fn sides(self) -> [SideId; 3] {
+        [0, 1, 2].map(|corner| self.side(corner))
+    }
+}
+
+impl SideId {
+    /// The triangle it belongs to.
+    #[inline(always)]
+    pub fn triangle(self) -> TriangleId {
+        TriangleId(self.0 / 3)
+    }
+
+    /// The side after it, round the same triangle.
+    #[inline(always)]
+    pub fn next(self) -> SideId {
+        SideId(if self.0 % 3 == 2 {
+            self.0 - 2
+        } else {
+            self.0 + 1
+        })
+    }
+
+    /// The side before it, round the same triangle.
+    #[inline(always)]
+    pub fn previous(self) -> SideId {
+        SideId(if self.0.is_multiple_of(3) {
+            self.0 + 2
+        } else {
+            self.0 - 1
+        })
+    }
+}
+
+const NONE: u32 = u32::MAX;
+
+/// A triangulated closed surface under construction.
+#[derive(Clone, Debug, Default)]
+pub struct TriMesh {
+    /// The origin of each side.
+    origins: Vec<u32>,
+    /// The twin of each side.
+    twins: Vec<u32>,
+    free: Vec<u32>,
+}
+
+impl TriMesh {
+    /// A surface without triangles.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The surface of the tetrahedron abcd, where abc runs anticlockwise seen from d, that is clockwise seen from
+    /// outside: the triangles acb, abd, bcd, cad.
+    pub fn tetrahedron([a, b, c, d]: [u32; 4]) -> Self {
+        let mut mesh = Self::new();
+        let base = mesh.add([a, c, b]);
+        let around = [[a, b, d], [b, c, d], [c, a, d]].map(|corners| mesh.add(corners));
+        // The sides of the base run a -> c, c -> b, b -> a.
+        for (wall, base_side) in around.iter().zip([2, 1, 0]) {
+            mesh.link(wall.side(0), base.side(base_side));
+        }
+        for i in 0..3 {
+            mesh.link(around[i].side(1), around[(i + 1) % 3].side(2));
+        }
+        mesh
+    }
+
+    /// Adds a triangle with these corners, anticlockwise seen from outside, not linked to any other.
+    pub fn add(&mut self, corners: [u32; 3]) -> TriangleId {
+        if let Some(triangle) = self.free.pop() {
+            let start = 3 * triangle as usize;
+            self.origins[start..start + 3].copy_from_slice(&corners);
+            return TriangleId(triangle);
+        }
+        let triangle = self.origins.len() / 3;
+        self.origins.extend(corners);
+        self.twins.extend([NONE; 3]);
+        TriangleId(triangle as u32)
+    }
+
+    /// Removes a triangle; its number will be used again. Its neighbours must be removed or linked anew.
+    pub fn remove(&mut self, triangle: TriangleId) {
+        for side in triangle.sides() {
+            self.origins[side.0 as usize] = NONE;
+        }
+        self.free.push(triangle.0);
+    }
+
+    /// Makes two sides each other's twins.
+    #[inline]
+    pub fn link(&mut self, side: SideId, twin: SideId) {
+        self.twins[side.0 as usize] = twin.0;
+        self.twins[twin.0 as usize] = side.0;
+    }
+
+    /// Whether the triangle is on the surface, that is, not removed.
+    #[inline(always)]
+    pub fn is_alive(&self, triangle: TriangleId) -> bool {
+        self.origins[3 * triangle.0 as usize] != NONE
+    }
+
+    /// The corners, anticlockwise seen from outside.
+    #[inline(always)]
+    pub fn corners(&self, triangle: TriangleId) -> [u32; 3] {
+        let start = 3 * triangle.0 as usize;
+        [
+            self.origins[start],
+            self.origins[start + 1],
+            self.origins[start + 2],
+        ]
+    }
+
+    /// Where a side begins.
+    #[inline(always)]
+    pub fn origin(&self, side: SideId) -> u32 {
+        self.origins[side.0 as usize]
+    }
+
+    /// Where a side ends.
+    #[inline(always)]
+    pub fn target(&self, side: SideId) -> u32 {
+        self.origin(side.next())
+    }
+
+    /// The corner opposite a side.
+    #[inline(always)]
+    pub fn apex(&self, side: SideId) -> u32 {
+        self.origin(side.previous())
+    }
+
+    /// The same edge in the opposite direction, a side of the neighbour.
+    #[inline(always)]
+    pub fn twin(&self, side: SideId) -> SideId {
+        SideId(self.twins[side.0 as usize])
+    }
+
+    /// The number of slots for triangles, living or free: an upper bound on the numbers in use.
+    pub fn slots(&self) -> usize {
+        self.origins.len() / 3
+    }
+
+    /// The number of triangles on the surface.
+    pub fn len(&self) -> usize {
+        self.slots() - self.free.len()
+    }
+
+    /// Whether there is no triangle.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The triangles on the surface, by number.
+    pub fn triangles(&self) -> impl Iterator<Item = TriangleId> + '_ {
+        (0..self.slots() as u32)
+            .map(TriangleId)
+            .filter(|&triangle| self.is_alive(triangle))
+    }
+
+    /// Closes the hole left by visible triangles with the cone from `apex` over its rim.
+    ///
+    /// `horizon` holds the sides of the triangles beyond the rim that border the hole, in order round it: each
+    /// begins where the one before it ends when walked against their direction, so that the new triangles
+    /// (target, origin, apex) stand side by side. Returns the new triangles through `made`, in that order.
+    pub fn close(&mut self, horizon: &[SideId], apex: u32, made: &mut Vec<TriangleId>) {
+        made.clear();
+        for &beyond in horizon {
+            let triangle = self.add([self.target(beyond), self.origin(beyond), apex]);
+            self.link(triangle.side(0), beyond);
+            made.push(triangle);
+        }
+        for i in 0..made.len() {
+            let next = made[(i + 1) % made.len()];
+            self.link(made[i].side(1), next.side(2));
+        }
+    }
+
+    /// Checks the invariants: for tests and debug assertions. O(triangles).
+    pub fn is_sound(&self) -> bool {
+        self.triangles().all(|triangle| {
+            triangle.sides().into_iter().all(|side| {
+                let twin = self.twin(side);
+                twin.0 != NONE
+                    && self.is_alive(twin.triangle())
+                    && self.twin(twin) == side
+                    && self.origin(twin) == self.target(side)
+                    && self.target(twin) == self.origin(side)
+            })
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tetrahedron_is_sound_and_grows() {
+        let mut mesh = TriMesh::tetrahedron([0, 1, 2, 3]);
+        assert!(mesh.is_sound());
+        assert_eq!(mesh.len(), 4);
+        // Replace the triangle 0 1 3 by a cone from 4.
+        let removed = mesh
+            .triangles()
+            .find(|&t| mesh.corners(t) == [0, 1, 3])
+            .expect("a wall");
+        let horizon = removed.sides().map(|side| mesh.twin(side));
+        mesh.remove(removed);
+        let mut made = Vec::new();
+        mesh.close(&horizon, 4, &mut made);
+        assert!(mesh.is_sound());
+        assert_eq!((mesh.len(), mesh.slots()), (6, 6));
+        let corners: Vec<_> = made.iter().map(|&t| mesh.corners(t)).collect();
+        assert_eq!(corners, [[0, 1, 4], [1, 3, 4], [3, 0, 4]]);
+    }
+}
