@@ -133,7 +133,8 @@ fn mix(x: u64) -> u64 {
     x ^ (x >> 31)
 }
 
-/// Passes questions on until there were too many.
+/// Passes questions on until there were too many, then panics: a method that asks for ever is stopped, one that
+/// loops without asking is not.
 pub struct Budget<'a> {
     inner: &'a dyn Kernel2,
     budget: u64,
