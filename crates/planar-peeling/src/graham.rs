@@ -142,44 +142,44 @@ fn around_vertex<K: Kernel2, O: Observer>(
 ) -> Vec<u32> {
     let pole = points[start];
     let mut sorted = sorted_by_angle(points, pole, kernel, observer);
-    let mut around = vec![start];
-    if boundary == Boundary::Extreme {
-        for ray in rays(points, pole, &sorted, kernel) {
-            around.extend(furthest(points, pole, ray, kernel));
-        }
-        return around;
-    }
-    // The first and the last ray are edges, and all points on them are on the boundary (departure 2).
     let lengths: Vec<usize> = rays(points, pole, &sorted, kernel)
         .map(<[u32]>::len)
         .collect();
-    let mut scratch = vec![0; sorted.len()];
-    let mut rest = &mut sorted[..];
-    for (number, &length) in lengths.iter().enumerate() {
-        let (ray, behind) = rest.split_at_mut(length);
-        rest = behind;
-        let (first, last) = (number == 0, number + 1 == lengths.len());
-        if !first && !last {
+    let mut around = vec![start];
+    let mut behind = &mut sorted[..];
+    for (number, &length) in (1..).zip(&lengths) {
+        let (ray, rest) = behind.split_at_mut(length);
+        behind = rest;
+        // The first and the last ray are edges, and all points on them are on the boundary (departure 2).
+        let is_edge = number == 1 || number == lengths.len();
+        if boundary == Boundary::Extreme || !is_edge {
             around.extend(furthest(points, pole, ray, kernel));
             continue;
         }
-        let direction = points[ray[0]];
-        merge_sort(ray, &mut scratch, |a, b| {
-            kernel
-                .compare_along(pole, direction, points[a], points[b])
-                .then(a.cmp(&b))
-        });
-        let kept = around.len();
-        around.extend_from_slice(ray);
-        let mut distinct = around.split_off(kept);
-        distinct
-            .dedup_by(|later, kept| kernel.lexicographic(points[*later], points[*kept]).is_eq());
-        if last {
-            distinct.reverse();
+        let mut outwards = outwards(points, pole, ray, kernel);
+        if number == lengths.len() {
+            outwards.reverse();
         }
-        around.append(&mut distinct);
+        around.append(&mut outwards);
     }
     around
+}
+
+/// The distinct points of a ray, from `pole` outwards.
+fn outwards<K: Kernel2>(
+    points: Points<'_, 2>,
+    pole: Point2,
+    ray: &mut [u32],
+    kernel: &K,
+) -> Vec<u32> {
+    let direction = points[ray[0]];
+    merge_sort(ray, &mut vec![0; ray.len()], |a, b| {
+        let order = kernel.compare_along(pole, direction, points[a], points[b]);
+        order.then(a.cmp(&b))
+    });
+    let mut distinct = ray.to_vec();
+    distinct.dedup_by(|later, kept| kernel.lexicographic(points[*later], points[*kept]).is_eq());
+    distinct
 }
 
 /// All points but `pole` and its copies, by angle about it, then by index.
@@ -252,4 +252,28 @@ fn scan<K: Kernel2, O: Observer>(
     }
     chain.pop();
     chain
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geometry_core::{Exact, Silent};
+
+    /// Around three points an ulp apart there is no room for a centroid, and a vertex is the pole.
+    #[test]
+    fn points_without_room_inside() {
+        let ulp = f64::from_bits(1);
+        let triangle = [[0.0, 0.0], [ulp, 0.0], [0.0, ulp]];
+        assert_eq!(point_inside(triangle, &Exact), None);
+        let cells = (0..9).map(|cell| [f64::from(cell / 3) * ulp, f64::from(cell % 3) * ulp]);
+        let points: Vec<[f64; 2]> = cells.chain(triangle).collect();
+        let points = Points::new(&points).expect("finite points");
+        let hull = |boundary| graham(points, boundary, &Exact, &mut Silent);
+        assert_eq!(
+            hull(Boundary::Extreme),
+            Ok(Hull2::Polygon(vec![0, 6, 8, 2]))
+        );
+        let all = vec![0, 3, 6, 7, 8, 5, 2, 1];
+        assert_eq!(hull(Boundary::All), Ok(Hull2::Polygon(all)));
+    }
 }

@@ -4,13 +4,13 @@
 //! Journal 22 (1979), 262-266.
 //!
 //! A point is *outside* the directed line ij if it lies to its right, and *between* if it lies on it and strictly
-//! between i and j. A *test list* [ij] holds the points found outside (and, if boundary points count, between)
+//! between i and j. A *test list* `[ij]` holds the points found outside (and, if boundary points count, between)
 //! ij, a furthest one first.
 //!
 //! 1. Find two points i and j certain to be on the hull: those with the smallest and the largest x. Every other
-//!    point goes into [ij] or [ji]. One orientation each.
-//! 2. Take a test list [ij]. If it is empty, ij is an edge. Otherwise let k be its furthest point: [ij] is replaced
-//!    by [ik] and [kj]. Each point of [ij] is asked about ik, and only if it is not outside that, about kj. A point
+//!    point goes into `[ij]` or `[ji]`. One orientation each.
+//! 2. Take a test list `[ij]`. If it is empty, ij is an edge. Otherwise let k be its furthest point: `[ij]` is replaced
+//!    by `[ik]` and `[kj]`. Each point of `[ij]` is asked about ik, and only if it is not outside that, about kj. A point
 //!    outside neither is inside the hull and is never looked at again.
 //! 3. Repeat until only edges are left.
 //!
@@ -49,13 +49,18 @@
 //!
 //! 1. No tolerance here: the kernel decides which points are doubtful. With an exact kernel they are those exactly
 //!    on the line and between its ends; with [`Tolerance`](geometry_core::Tolerance), those of the paper.
-//! 2. A point on the base line is in neither [ij] nor [ji] until it is known which of them is empty, that is, which
+//! 2. A point on the base line is in neither `[ij]` nor `[ji]` until it is known which of them is empty, that is, which
 //!    way the line is an edge. The paper does not say where it goes.
 //! 3. Extremes are lexicographic (x, then y), and ties for the furthest are broken along the line, so that both are
 //!    corners also under [`Boundary::Extreme`]. Points with one x therefore need no case of their own.
 //! 4. Confirmed edges lie apart from the other labels, so that they need no sorting for step 5; together they stay
 //!    within the promised m.
-//! 5. At most 2³¹ - 1 points, because a length shares its word with the flag of a degenerate list.
+//! 5. A split works in blocks of a constant size, and the points outside kj wait in the free cells of LIST until
+//!    the item has been read, instead of overwriting its end at once: branches then do not depend on where points
+//!    lie, the lists stay in the order of the input, and memory is read in order. The same questions are asked.
+//! 6. At most 2³¹ - 1 points, because a length shares its word with the flag of a degenerate list.
+//! 7. The final check that the paper recommends, that the edges turn anticlockwise throughout, is left out: with an
+//!    exact kernel it holds.
 //!
 //! # When not to use it
 //!
@@ -159,7 +164,7 @@ fn single_hull<K: Kernel2, O: Observer, B: Bookkeeping>(
 ///
 /// # Errors
 ///
-/// [`HullError::TooManyPoints`] if a length would not fit beside its flag (departure 5).
+/// [`HullError::TooManyPoints`] if a length would not fit beside its flag (departure 6).
 pub(crate) fn arrays_for(points: Points<'_, 2>) -> Result<Arrays, HullError> {
     let count = points.len();
     match i32::try_from(count) {
@@ -318,4 +323,46 @@ fn record_peel(arrays: &mut Arrays, flat: bool) -> PeelLabel {
     };
     arrays.peels.push(label);
     label
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geometry_core::{Exact, Silent};
+
+    /// "Two INTEGER arrays of length n": they are made with the first call and never grow.
+    #[test]
+    fn the_two_arrays_have_length_n_throughout() {
+        let lattice = (0..144).map(|cell| [f64::from(cell % 12), f64::from(cell / 12)]);
+        let points: Vec<[f64; 2]> = lattice.chain([[3.0, 3.0], [0.0, 0.0]]).collect();
+        let points = Points::new(&points).expect("finite points");
+        for boundary in [Boundary::Extreme, Boundary::All] {
+            let mut arrays = arrays_for(points).expect("few points");
+            let mut peeled = 0;
+            while arrays.left() > 0 {
+                let left = arrays.left();
+                let label = next_peel(
+                    points,
+                    boundary,
+                    &Exact,
+                    &mut Silent,
+                    &mut Single,
+                    &mut arrays,
+                );
+                peeled += label.len as usize;
+                assert!(arrays.left() < left);
+                assert_eq!(
+                    [arrays.front, label.at as usize + label.len as usize],
+                    [peeled; 2]
+                );
+                assert_eq!(
+                    [arrays.list.len(), arrays.list.capacity()],
+                    [points.len(); 2]
+                );
+                assert_eq!([arrays.nwk.len(), arrays.nwk.capacity()], [points.len(); 2]);
+            }
+            // The two copies are not vertices of any peel.
+            assert_eq!(peeled, points.len() - 2);
+        }
+    }
 }

@@ -1,4 +1,27 @@
 //! Green and Silverman's hull and peels, Graham's scan, Andrew's monotone chain.
+//!
+//! | slug | module | time | use it |
+//! |---|---|---|---|
+//! | `gs` | [`gs`](gs::gs) | O(n h), linear on average for the usual distributions | by default: most points are not extreme |
+//! | `gs-bare` | [`gs`](gs::gs_bare) | as `gs` | to time what the bookkeeping for peels costs |
+//! | `monotone-chain` | [`monotone_chain`] | O(n log n) | when most points are extreme, or an adversary chose them |
+//! | `graham` | [`graham`] | O(n log n) | to compare with the first O(n log n) method |
+//! | `gs-peel` | [`peel`] | O(n L) on average for L layers | for layers and c-ranks of points without structure |
+//! | `chain-peel` | [`chain_peel`] | O(n log n + n L) | for layers when most points of a layer are extreme; as a check |
+//!
+//! The hull methods give a [`Hull2`](geometry_core::Hull2), the layers methods [`Layers`](geometry_core::Layers),
+//! whose [`c_ranks`](geometry_core::Layers::c_ranks) are the stages at which points leave.
+//!
+//! ```
+//! use geometry_core::{Boundary, Exact, Points, Silent};
+//! let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [1.0, 2.0], [3.0, 2.0], [2.0, 3.0]];
+//! let points = Points::new(&points)?;
+//! let hull = planar_peeling::gs::gs(points, Boundary::Extreme, &Exact, &mut Silent)?;
+//! assert_eq!(hull.vertices(), [0, 1, 2, 3]);
+//! let layers = planar_peeling::peel::gs_peel(points, Boundary::Extreme, &Exact, &mut Silent)?;
+//! assert_eq!(layers.c_ranks(), [1, 1, 1, 1, 2, 2, 2]);
+//! # Ok::<(), geometry_core::HullError>(())
+//! ```
 
 pub mod chain_peel;
 pub mod graham;
@@ -19,6 +42,8 @@ pub const METHODS: &[Method] = &[
             "a point on the base line waits until it is known which side of the line is empty",
             "extremes are lexicographic, and ties for the furthest point are broken along the line",
             "confirmed edges are kept apart from the other labels, within the promised stack",
+            "points outside the second line of a split wait in the free cells of LIST until all are read",
+            "at most 2^31 - 1 points",
         ],
         cost: "O(n h) at worst; O(n) on average for the usual distributions",
         task: planar_task!(PlanarHull, gs::gs),

@@ -64,8 +64,9 @@ pub fn monotone_chain<K: Kernel2, O: Observer>(
     let mut ids: Vec<u32> = points.ids().collect();
     sort_distinct(points, &mut ids, kernel);
     let hull = hull_of_sorted(points, &ids, boundary, kernel, observer);
-    for edge in hull.vertices().windows(2) {
-        observer.step(|| Step::Edge(edge[0], edge[1]));
+    let vertices = hull.vertices();
+    for (&from, &to) in vertices.iter().zip(vertices.iter().cycle().skip(1)) {
+        observer.step(|| Step::Edge(from, to));
     }
     Ok(hull)
 }

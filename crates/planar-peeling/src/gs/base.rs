@@ -7,7 +7,7 @@ use super::forming::Forming;
 use geometry_core::{Boundary, Kernel2, Observer, Step};
 
 impl<K: Kernel2, O: Observer, B: Bookkeeping> Call<'_, K, O, B> {
-    /// Step 3: forms [ij] at the beginning of NWK and [ji] at its end from the points in the tail of LIST, which
+    /// Step 3: forms `[ij]` at the beginning of NWK and `[ji]` at its end from the points in the tail of LIST, which
     /// they leave, and pushes their labels. Returns whether no point lies off the line.
     ///
     /// Points on the base line wait at the end of LIST until it is known which side is empty (departure 2).

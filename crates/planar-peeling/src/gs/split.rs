@@ -1,7 +1,7 @@
 //! Step 4c of method GS: a test list is split about its furthest point.
 //!
-//! Block by block, and through each block in passes: fetch the coordinates, ask about [ik], note the furthest, ask
-//! the others about [kj], note the furthest. Where a point goes is a matter of chance, so the passes that ask have
+//! Block by block, and through each block in passes: fetch the coordinates, ask about `[ik]`, note the furthest, ask
+//! the others about `[kj]`, note the furthest. Where a point goes is a matter of chance, so the passes that ask have
 //! no branch that depends on it, and fetching first lets the slow reads from memory overlap. In the passes that
 //! note, a new furthest point is rare.
 
@@ -12,13 +12,13 @@ use super::forming::Forming;
 use geometry_core::{Kernel2, Observer, Step};
 use std::ops::Range;
 
-/// The item of [ij] while it is split about k.
+/// The item of `[ij]` while it is split about k.
 struct Splitting<'a> {
-    /// [ik], in the cells of NWK up to `front` (invariant 4).
+    /// `[ik]`, in the cells of NWK up to `front` (invariant 4).
     left: Forming,
     nwk: &'a mut [u32],
     front: usize,
-    /// [kj], in the cells of LIST up to `spill`.
+    /// `[kj]`, in the cells of LIST up to `spill`.
     right: Forming,
     list: &'a mut [u32],
     spill: usize,
@@ -29,7 +29,7 @@ struct Splitting<'a> {
 }
 
 impl<K: Kernel2, O: Observer, B: Bookkeeping> Call<'_, K, O, B> {
-    /// Splits the item of [ij], which has `len` points, k first, into [ik] at its beginning, [kj] at its end, and
+    /// Splits the item of `[ij]`, which has `len` points, k first, into `[ik]` at its beginning, `[kj]` at its end, and
     /// the points inside, which go to the tail of LIST.
     ///
     /// Points outside kj would overwrite points still to be read. They wait in the free cells of LIST, of which
@@ -78,7 +78,7 @@ impl<K: Kernel2, O: Observer, B: Bookkeeping> Call<'_, K, O, B> {
         left.push(arrays, i, k);
     }
 
-    /// Puts the points in the cells `block` of NWK into [ik] or into the pool. Returns the number of the latter.
+    /// Puts the points in the cells `block` of NWK into `[ik]` or into the pool. Returns the number of the latter.
     fn ask_left(&mut self, splitting: &mut Splitting<'_>, block: Range<usize>) -> usize {
         let (points, kernel, boundary) = (self.points, self.kernel, self.boundary);
         let Splitting {
@@ -111,7 +111,7 @@ impl<K: Kernel2, O: Observer, B: Bookkeeping> Call<'_, K, O, B> {
         pooled
     }
 
-    /// Puts the first `pooled` points of the pool into [kj], or takes them for inside.
+    /// Puts the first `pooled` points of the pool into `[kj]`, or takes them for inside.
     fn ask_right(&mut self, splitting: &mut Splitting<'_>, pooled: usize) {
         let (points, kernel, boundary) = (self.points, self.kernel, self.boundary);
         let Splitting {
