@@ -29,8 +29,18 @@ fn main() {
     } else {
         ROUNDS
     };
-    print_ratio("gs", &points, &numbers, rounds, hull);
-    print_ratio("gs-bare", &points, &numbers, rounds, hull_bare);
+    let time = |method: fn(&[[f64; 2]]) -> Hull2| {
+        let points = points.clone();
+        elapsed(|| method(&points))
+    };
+    let time_sort = || {
+        let numbers = numbers.clone();
+        elapsed(|| sorted(numbers))
+    };
+    print_ratio("gs / sort", rounds, || time(hull), time_sort);
+    // The paper: the cost of enabling successive peels is negligible.
+    print_ratio("gs / gs-bare", rounds, || time(hull), || time(hull_bare));
+    print_ratio("gs / gs (noise)", rounds, || time(hull), || time(hull));
 
     let mut criterion = Criterion::default().configure_from_args().sample_size(20);
     let mut group = criterion.benchmark_group("disc-1e6");
@@ -81,37 +91,28 @@ fn sorted(mut numbers: Vec<f64>) -> Vec<f64> {
     numbers
 }
 
-/// Prints the median over rounds of the ratio of `method` to the sort, with the interval from the least to the
-/// greatest and the one that holds the median with 95 % confidence.
+/// Prints the median over rounds of the ratio of two times, its 95 % confidence interval, and the least and the
+/// greatest ratio. The two are timed in turn, and each goes first in every other round.
 fn print_ratio(
     name: &str,
-    points: &[[f64; 2]],
-    numbers: &[f64],
     rounds: usize,
-    method: fn(&[[f64; 2]]) -> Hull2,
+    first: impl Fn() -> Duration,
+    second: impl Fn() -> Duration,
 ) {
     let mut samples: Vec<[f64; 3]> = (0..rounds)
         .map(|round| {
-            let time_hull = || {
-                let points = points.to_vec();
-                elapsed(|| method(&points))
-            };
-            let time_sort = || {
-                let numbers = numbers.to_vec();
-                elapsed(|| sorted(numbers))
-            };
-            let (hull, sort) = if round % 2 == 0 {
-                let hull = time_hull();
-                (hull, time_sort())
+            let (first, second) = if round % 2 == 0 {
+                let time = first();
+                (time, second())
             } else {
-                let sort = time_sort();
-                (time_hull(), sort)
+                let time = second();
+                (first(), time)
             };
-            let [hull, sort] = [hull, sort].map(|time| time.as_secs_f64());
-            [hull / sort, hull, sort]
+            let [first, second] = [first, second].map(|time| time.as_secs_f64());
+            [first / second, first, second]
         })
         .collect();
-    let [times, sorts] = [1, 2].map(|column| {
+    let [first, second] = [1, 2].map(|column| {
         samples.sort_by(|a, b| a[column].total_cmp(&b[column]));
         1e3 * samples[rounds / 2][column]
     });
@@ -120,7 +121,7 @@ fn print_ratio(
     // Order statistics around the median of a binomial: half the rounds, plus and minus 1.96 standard deviations.
     let margin = (0.98 * (rounds as f64).sqrt()).ceil() as usize;
     println!(
-        "{name}: {times:.1} ms, sort {sorts:.1} ms, ratio {:.3} (95 % {:.3}-{:.3}, all {:.3}-{:.3}, {rounds} rounds)",
+        "{name}: {first:.1} ms / {second:.1} ms, ratio {:.3} (95 % {:.3} to {:.3}, all {:.3} to {:.3}, {rounds} rounds)",
         ratio(rounds / 2),
         ratio((rounds / 2).saturating_sub(margin)),
         ratio(rounds / 2 + margin),

@@ -7,7 +7,7 @@
 //! | `monotone-chain` | [`monotone_chain`] | O(n log n) | when most points are extreme, or an adversary chose them |
 //! | `graham` | [`graham`] | O(n log n) | to compare with the first O(n log n) method |
 //! | `gs-peel` | [`peel`] | O(n L) on average for L layers | for layers and c-ranks of points without structure |
-//! | `chain-peel` | [`chain_peel`] | O(n log n + n L) | for layers when most points of a layer are extreme; as a check |
+//! | `chain-peel` | [`chain_peel`] | O(n log n + n L) | as an independent check of `gs-peel` |
 //!
 //! The hull methods give a [`Hull2`](geometry_core::Hull2), the layers methods [`Layers`](geometry_core::Layers),
 //! whose [`c_ranks`](geometry_core::Layers::c_ranks) are the stages at which points leave.
