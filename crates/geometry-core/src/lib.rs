@@ -30,6 +30,7 @@
 //! lexicographically smallest vertex.
 
 pub mod dimension;
+mod dyadic;
 pub mod error;
 pub mod exact;
 pub mod hull2;

@@ -6,6 +6,7 @@
 //! answered with few limbs, any other with enough for the whole range of `f64`.
 
 use super::integer::Integer;
+use crate::dyadic::decompose;
 use crate::points::{Point2, Point3};
 use crate::sign::Sign;
 
@@ -17,6 +18,17 @@ const NARROW_BITS: u32 = 125;
 /// Limbs for any finite coordinates: 4 · (2098 + 1) + 5 bits.
 const WIDE: usize = 132;
 
+/// Calls `$evaluate` with the points, further arguments and their least exponent, at the narrower width if that
+/// suffices.
+macro_rules! at_least_width {
+    ($evaluate:ident, $points:expr $(, $argument:expr)*) => {
+        match Span::of($points.as_flattened()) {
+            Span::Narrow(least) => $evaluate::<NARROW>($points $(, $argument)*, least),
+            Span::Wide(least) => $evaluate::<WIDE>($points $(, $argument)*, least),
+        }
+    };
+}
+
 /// The sign of (b-a) × (d-c).
 pub(super) fn cross(a: Point2, b: Point2, c: Point2, d: Point2) -> Sign {
     fn evaluate<const L: usize>(points: &[Point2; 4], least: i32) -> Sign {
@@ -26,10 +38,7 @@ pub(super) fn cross(a: Point2, b: Point2, c: Point2, d: Point2) -> Sign {
         left.minus(&right).sign()
     }
     let points = [a, b, c, d];
-    match Span::of(points.as_flattened()) {
-        Span::Narrow(least) => evaluate::<NARROW>(&points, least),
-        Span::Wide(least) => evaluate::<WIDE>(&points, least),
-    }
+    at_least_width!(evaluate, &points)
 }
 
 /// The sign of (b-a) × (c-a) · (q-p) for the points a, b, c, p, q.
@@ -50,10 +59,7 @@ pub(super) fn volume(points: [Point3; 5]) -> Sign {
         )
         .sign()
     }
-    match Span::of(points.as_flattened()) {
-        Span::Narrow(least) => evaluate::<NARROW>(&points, least),
-        Span::Wide(least) => evaluate::<WIDE>(&points, least),
-    }
+    at_least_width!(evaluate, &points)
 }
 
 /// The sign of (b-a) × (c-a) · (q-p) for the points a, b, c, p, q of the plane lifted to the paraboloid.
@@ -72,10 +78,7 @@ pub(crate) fn lifted_volume(points: [Point2; 5]) -> Sign {
         let w = [q[0].minus(&p[0]), q[1].minus(&p[1]), q[2].minus(&p[2])];
         determinant(&over_a(&b), &over_a(&c), &w).sign()
     }
-    match Span::of(points.as_flattened()) {
-        Span::Narrow(least) => evaluate::<NARROW>(&points, least),
-        Span::Wide(least) => evaluate::<WIDE>(&points, least),
-    }
+    at_least_width!(evaluate, &points)
 }
 
 /// The orientation of a, b, c in the plane of one of their coordinates, as (coordinate, x² + y²).
@@ -91,10 +94,7 @@ pub(crate) fn lifted_shadow(a: Point2, b: Point2, c: Point2, coordinate: usize) 
             .sign()
     }
     let points = [a, b, c];
-    match Span::of(points.as_flattened()) {
-        Span::Narrow(least) => evaluate::<NARROW>(&points, coordinate, least),
-        Span::Wide(least) => evaluate::<WIDE>(&points, coordinate, least),
-    }
+    at_least_width!(evaluate, &points, coordinate)
 }
 
 /// The sign of the in-circle determinant of a, b, c and d.
@@ -109,10 +109,7 @@ pub(super) fn in_circle(a: Point2, b: Point2, c: Point2, d: Point2) -> Sign {
         determinant(&lifted(&a), &lifted(&b), &lifted(&c)).sign()
     }
     let points = [a, b, c, d];
-    match Span::of(points.as_flattened()) {
-        Span::Narrow(least) => evaluate::<NARROW>(&points, least),
-        Span::Wide(least) => evaluate::<WIDE>(&points, least),
-    }
+    at_least_width!(evaluate, &points)
 }
 
 /// u × v · w, expanded along the third column.
@@ -167,17 +164,4 @@ fn integer<const L: usize>(x: f64, least: i32) -> Integer<L> {
     let shift = exponent + zeros as i32 - least;
     debug_assert!(shift >= 0, "least is the least exponent of all coordinates");
     Integer::shifted(negative, magnitude >> zeros, shift as u32)
-}
-
-/// Sign, magnitude and exponent: `x` = ± magnitude · 2^exponent.
-fn decompose(x: f64) -> (bool, u64, i32) {
-    let bits = x.to_bits();
-    let fraction = bits & ((1 << 52) - 1);
-    let biased = (bits >> 52 & 0x7ff) as i32;
-    let (magnitude, exponent) = if biased == 0 {
-        (fraction, -1074)
-    } else {
-        (fraction | 1 << 52, biased - 1075)
-    };
-    (bits >> 63 == 1, magnitude, exponent)
 }

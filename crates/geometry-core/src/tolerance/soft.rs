@@ -3,6 +3,7 @@
 //! The exponent is not bounded: overflow and underflow of the old formats are not modelled, because their
 //! ranges (16^±64, 2^±1023) exceed anything that areas of the papers' data reach.
 
+use crate::dyadic::decompose;
 use std::cmp::Ordering;
 
 /// How a result that is too long is shortened. Constants instead of an enum, to serve as a const parameter.
@@ -37,15 +38,8 @@ impl<const BASE: u32, const DIGITS: u32, const ROUNDING: u8> Soft<BASE, DIGITS, 
 
     /// `x`, shortened to this format.
     pub fn of(x: f64) -> Self {
-        let bits = x.to_bits();
-        let fraction = bits & ((1 << 52) - 1);
-        let biased = (bits >> 52 & 0x7ff) as i32;
-        let (magnitude, exponent) = if biased == 0 {
-            (fraction, -1074)
-        } else {
-            (fraction | 1 << 52, biased - 1075)
-        };
-        Self::shorten(x.is_sign_negative(), u128::from(magnitude), exponent)
+        let (negative, magnitude, exponent) = decompose(x);
+        Self::shorten(negative, u128::from(magnitude), exponent)
     }
 
     /// The value as `f64`, rounded to nearest even.
