@@ -1,0 +1,1 @@
+//! Delaunay triangulations as lower hulls of points lifted to the paraboloid.
