@@ -48,12 +48,25 @@ pub(super) fn cross(a: Point2, b: Point2, c: Point2, d: Point2) -> (Sign, Stage)
         };
         return (sign, Stage::Filter);
     }
-    cross_closely(a, b, c, d)
+    cross_closely(a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1])
 }
 
+/// Takes numbers rather than points: arrays go by reference, and every inlined filter would keep a copy of its
+/// points in memory to refer to.
 #[cold]
 #[inline(never)]
-fn cross_closely(a: Point2, b: Point2, c: Point2, d: Point2) -> (Sign, Stage) {
+#[allow(clippy::too_many_arguments)]
+fn cross_closely(
+    ax: f64,
+    ay: f64,
+    bx: f64,
+    by: f64,
+    cx: f64,
+    cy: f64,
+    dx: f64,
+    dy: f64,
+) -> (Sign, Stage) {
+    let [a, b, c, d] = [[ax, ay], [bx, by], [cx, cy], [dx, dy]];
     if within([a, b, c, d].as_flattened(), SMALLEST, LARGEST) {
         (cross_adaptively(a, b, c, d), Stage::Adaptive)
     } else {
