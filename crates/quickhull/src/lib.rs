@@ -3,6 +3,7 @@
 //! | slug | module | time |
 //! |---|---|---|
 //! | `eddy` | [`eddy`](mod@eddy) | O(n h), about linear on the usual distributions |
+//! | `quickhull-3d` | [`quickhull_3d`](mod@quickhull_3d) | O(n²); about linear on the usual distributions, O(n log n) on a sphere |
 //!
 //! ```
 //! use geometry_core::{Boundary, Exact, Points, Silent};
@@ -12,19 +13,33 @@
 //! # Ok::<(), geometry_core::HullError>(())
 //! ```
 
-use geometry_core::{Method, planar_task};
+use geometry_core::{Method, planar_task, spatial_task};
 
 pub mod eddy;
+mod horizon;
+pub mod quickhull_3d;
 
 pub use eddy::eddy;
+pub use quickhull_3d::quickhull_3d;
 
 /// The methods of this family.
-pub const METHODS: &[Method] = &[Method {
-    slug: "eddy",
-    title: "Eddy's CONVEX (method E, ACM Algorithm 523)",
-    citation: "W. F. Eddy, A new convex hull algorithm for planar sets, ACM Transactions on Mathematical Software \
+pub const METHODS: &[Method] = &[
+    Method {
+        slug: "eddy",
+        title: "Eddy's CONVEX (method E, ACM Algorithm 523)",
+        citation: "W. F. Eddy, A new convex hull algorithm for planar sets, ACM Transactions on Mathematical Software \
                3(4), 398-403, and Algorithm 523: CONVEX, 411-412, 1977",
-    departures: eddy::DEPARTURES,
-    cost: "O(n h); about linear on average for the usual distributions",
-    task: planar_task!(PlanarHull, eddy::eddy),
-}];
+        departures: eddy::DEPARTURES,
+        cost: "O(n h); about linear on average for the usual distributions",
+        task: planar_task!(PlanarHull, eddy::eddy),
+    },
+    Method {
+        slug: "quickhull-3d",
+        title: "Quickhull with outside sets",
+        citation: "C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull algorithm for convex hulls, ACM \
+                   Transactions on Mathematical Software 22(4), 469-483, 1996",
+        departures: quickhull_3d::DEPARTURES,
+        cost: "O(n^2); about linear on average where few points are extreme, O(n log n) on a sphere",
+        task: spatial_task!(quickhull_3d::quickhull_3d),
+    },
+];

@@ -1,0 +1,72 @@
+//! The first simplex: four extreme points far apart, found with exact questions only.
+//!
+//! 1. a and b have the extreme x (lexicographically).
+//! 2. From the plane through them and any point off their line, d is the furthest point.
+//! 3. From the plane abd, c is the furthest, on a side where there is any.
+//!
+//! Each is an extreme point of the set, up to ties, and no four of them are coplanar: a point off the plane is known
+//! from the affine basis, and the furthest is further.
+
+use geometry_core::{Kernel3, Points};
+use std::cmp::Ordering;
+
+/// Four points that span space, positively oriented, better spread than the four of `basis`, which are such.
+pub(super) fn spread<K: Kernel3>(points: Points<'_, 3>, kernel: &K, basis: [u32; 4]) -> [u32; 4] {
+    // The first of an affine basis is the lexicographically smallest, and its second or third the largest.
+    let [a, b, c, d] = basis;
+    let [b, c] = match kernel.lexicographic3(points[b], points[c]) {
+        Ordering::Less => [c, b],
+        _ => [b, c],
+    };
+    let d = furthest_on_side_of(points, kernel, [a, b, c], d);
+    let c = furthest_on_side_of(points, kernel, [a, b, d], c);
+    let orientation = kernel.orient3(points[a], points[b], points[c], points[d]);
+    if orientation.is_positive() {
+        [a, b, c, d]
+    } else {
+        [a, c, b, d]
+    }
+}
+
+/// The point furthest from the plane on the side of `id`, which is not on it.
+fn furthest_on_side_of<K: Kernel3>(
+    points: Points<'_, 3>,
+    kernel: &K,
+    [a, b, c]: [u32; 3],
+    id: u32,
+) -> u32 {
+    let above = kernel
+        .orient3(points[a], points[b], points[c], points[id])
+        .is_positive();
+    let plane = if above { [a, b, c] } else { [a, c, b] };
+    furthest(points, kernel, plane, points.ids()).unwrap_or(id)
+}
+
+/// The highest of `ids` over the plane; of several the lexicographically largest, and of its copies the one with
+/// the smallest index.
+pub(super) fn furthest<K: Kernel3>(
+    points: Points<'_, 3>,
+    kernel: &K,
+    plane: [u32; 3],
+    ids: impl IntoIterator<Item = u32>,
+) -> Option<u32> {
+    let plane = plane.map(|id| points[id]);
+    ids.into_iter().reduce(|best, id| {
+        let height = kernel.compare_height(plane, points[id], points[best]);
+        if height.is_gt() || (height.is_eq() && precedes(points, kernel, id, best)) {
+            id
+        } else {
+            best
+        }
+    })
+}
+
+/// Whether `id` is preferred to `best`, which is as high.
+#[cold]
+fn precedes<K: Kernel3>(points: Points<'_, 3>, kernel: &K, id: u32, best: u32) -> bool {
+    match kernel.lexicographic3(points[id], points[best]) {
+        Ordering::Greater => true,
+        Ordering::Less => false,
+        Ordering::Equal => id < best,
+    }
+}
