@@ -60,7 +60,10 @@ pub(crate) struct Times {
     pub(crate) distributions: Vec<String>,
     pub(crate) n: Vec<usize>,
     pub(crate) methods: Vec<String>,
+    /// Batches of sets.
     pub(crate) realisations: u64,
+    /// A batch holds different sets of at least so many points in all.
+    pub(crate) points_a_batch: u64,
     pub(crate) rounds: u32,
 }
 

@@ -29,7 +29,7 @@ impl Sizes {
     }
 }
 
-/// A ratio of questions asked on the same sets: mean of its logarithm, and the standard error of that.
+/// A ratio of average counts on the same sets: its logarithm, and the standard error of that.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CountRatio {
     pub(crate) log: f64,
@@ -103,26 +103,35 @@ pub(crate) fn a_point(
     (!values.is_empty()).then(|| mean(&values))
 }
 
-/// The questions of `method` over those of `base` on the same sets of `cell`.
+/// The `quantity` of `method` over that of `base`, each averaged over the same sets of `cell`.
 pub(crate) fn count_ratio(
     records: &Records,
     cell: Cell<'_>,
     method: &str,
     base: &str,
+    quantity: fn(&CountRow) -> u64,
 ) -> Option<CountRatio> {
     let of = |method| -> BTreeMap<u64, f64> {
         counts(records, cell, method)
-            .map(|row| (row.replicate, row.questions() as f64))
+            .map(|row| (row.replicate, quantity(row) as f64))
             .collect()
     };
     let (above, below) = (of(method), of(base));
-    let logs: Vec<f64> = above
+    let pairs: Vec<(f64, f64)> = above
         .iter()
-        .filter_map(|(replicate, questions)| Some((questions / below.get(replicate)?).ln()))
+        .filter_map(|(replicate, count)| Some((*count, *below.get(replicate)?)))
         .collect();
-    (!logs.is_empty()).then(|| CountRatio {
-        log: mean(&logs),
-        error: standard_error(&logs),
+    if pairs.is_empty() {
+        return None;
+    }
+    let average =
+        |side: fn(&(f64, f64)) -> f64| mean(&pairs.iter().map(side).collect::<Vec<f64>>());
+    let (above, below) = (average(|pair| pair.0), average(|pair| pair.1));
+    // To first order the logarithm of the ratio moves with the difference of the relative deviations.
+    let deviations: Vec<f64> = pairs.iter().map(|(a, b)| a / above - b / below).collect();
+    Some(CountRatio {
+        log: (above / below).ln(),
+        error: standard_error(&deviations),
     })
 }
 

@@ -85,11 +85,12 @@ impl CountRow {
     }
 }
 
-/// One time sample: `calls` calls in a row on one set.
+/// One time sample: `calls` calls in a row on the sets of one batch.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct TimeRow {
     pub(crate) distribution: String,
     pub(crate) n: usize,
+    /// Number of the batch of sets.
     pub(crate) realisation: u64,
     pub(crate) round: u32,
     pub(crate) method: String,
@@ -125,7 +126,8 @@ pub(crate) struct PeelRow {
 /// The sweep of the tolerance over one set in one format.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct ToleranceRow {
-    /// "random", "lattice", or "lattice-eddy" for the first hull by Eddy's method.
+    /// "random"; "lattice", turned about the origin; "lattice-fitted", turned and fitted into the unit square;
+    /// "lattice-eddy", the first hull of a turned lattice by Eddy's method.
     pub(crate) data: String,
     pub(crate) format: String,
     /// Decimals of the coordinates; empty for all that a double holds.

@@ -1,12 +1,17 @@
 //! Times, interleaved and warm, of certified results only (Table 2, Figure 7, GS-1, GS-4, GS-6).
 //!
 //! Every round takes one sample of every method on every realisation, the methods in an order shuffled anew,
-//! so that what disturbs the machine disturbs all of them. Short calls are repeated until a sample lasts a
-//! millisecond. GS takes part twice: its second entry shows the noise of a program against itself.
+//! so that what disturbs the machine disturbs all of them. GS takes part twice: its second entry shows the
+//! noise of a program against itself.
+//!
+//! A realisation of small n is a batch of sets, called in turn: called on one small set again and again, a
+//! processor learns its branches by heart, and the time is that of no set it has not seen. The batch is
+//! called as often as it takes for a sample to last a millisecond.
 
 use super::certify::certify;
 use super::hull_method;
 use crate::reproduce::definition::{Definition, Times, product};
+use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
 use crate::reproduce::records::{Records, TimeRow};
 use crate::reproduce::sets::PointSet;
@@ -43,11 +48,13 @@ pub(crate) fn run(definition: &Definition, records: &mut Records) -> Result<()> 
     Ok(())
 }
 
-/// A method that takes part, and how often it is called for one sample.
+type HullFunction = fn(Points<'_, 2>, Boundary) -> Result<Hull2, HullError>;
+
+/// A method that takes part, and how often it goes through a batch for one sample.
 struct Contestant {
     name: String,
-    hull: fn(Points<'_, 2>, Boundary) -> Result<Hull2, HullError>,
-    calls: u64,
+    hull: HullFunction,
+    passes: u64,
 }
 
 fn cell(
@@ -57,50 +64,29 @@ fn cell(
     block: &Times,
     records: &mut Records,
 ) -> Result<()> {
-    let mut sets = Vec::new();
-    for realisation in 0..block.realisations {
-        let set = PointSet::generate(seed, distribution, n, realisation)?;
-        let certified = certify("times", &set, &block.methods)?;
-        records.sets.push(certified.set);
-        records.failures.extend(certified.failures);
-        sets.push(set);
-    }
-    let Some(first) = sets.first() else {
+    let realisations = realisations(seed, distribution, n, block, records)?;
+    let views: Result<Vec<Vec<Points<'_, 2>>>, HullError> = realisations
+        .iter()
+        .map(|sets| sets.iter().map(|set| Points::new(set)).collect())
+        .collect();
+    let views = views?;
+    let Some(first) = views.first() else {
         return Ok(());
     };
-    let sound = |method: &&String| !records.failed(distribution, n, method);
-    let mut contestants = Vec::new();
-    for method in block.methods.iter().filter(sound) {
-        let hull = hull_method(method)?.exact;
-        let calls = calls_for_a_sample(hull, Points::new(&first.points)?);
-        contestants.push(Contestant {
-            name: method.clone(),
-            hull,
-            calls,
-        });
-        if method == "gs" {
-            contestants.push(Contestant {
-                name: TWIN.to_owned(),
-                hull,
-                calls,
-            });
-        }
-    }
-    let mut random = ChaCha8Rng::seed_from_u64(first.seed);
+    let mut contestants = contestants(distribution, n, block, records, first)?;
+    let mut random = ChaCha8Rng::seed_from_u64(seed ^ n as u64);
     for round in 0..block.rounds {
-        for set in &sets {
-            let points = Points::new(&set.points)?;
+        for (realisation, sets) in (0..).zip(&views) {
             shuffle(&mut contestants, &mut random);
             for contestant in &contestants {
                 records.times.push(TimeRow {
                     distribution: distribution.to_owned(),
                     n,
-                    realisation: set.replicate,
+                    realisation,
                     round,
                     method: contestant.name.clone(),
-                    calls: contestant.calls,
-                    nanoseconds: sample(contestant.hull, points, contestant.calls).as_nanos()
-                        as u64,
+                    calls: contestant.passes * sets.len() as u64,
+                    nanoseconds: sample(contestant.hull, sets, contestant.passes).as_nanos() as u64,
                 });
             }
         }
@@ -108,26 +94,82 @@ fn cell(
     Ok(())
 }
 
-/// How many calls take at least [`SHORTEST`], by doubling. Also warms up.
-fn calls_for_a_sample(
-    hull: fn(Points<'_, 2>, Boundary) -> Result<Hull2, HullError>,
-    points: Points<'_, 2>,
-) -> u64 {
-    let mut calls = 1;
-    while sample(hull, points, calls) < SHORTEST {
-        calls *= 2;
+/// The batches of sets of a cell, every result on them certified.
+fn realisations(
+    seed: u64,
+    distribution: &str,
+    n: usize,
+    block: &Times,
+    records: &mut Records,
+) -> Result<Vec<Vec<Vec<[f64; 2]>>>> {
+    let batch = block.points_a_batch.div_ceil(n as u64);
+    let replicates: Vec<u64> = (0..block.realisations * batch).collect();
+    let certified = parallel::map(&replicates, |&replicate| {
+        let set = PointSet::generate(seed, distribution, n, replicate)?;
+        let certified = certify("times", &set, &block.methods)?;
+        Ok((set.points, certified))
+    })?;
+    let mut realisations: Vec<Vec<Vec<[f64; 2]>>> = Vec::new();
+    for (replicate, (points, certified)) in (0..).zip(certified) {
+        records.sets.push(certified.set);
+        records.failures.extend(certified.failures);
+        if replicate % batch == 0 {
+            realisations.push(Vec::new());
+        }
+        if let Some(sets) = realisations.last_mut() {
+            sets.push(points);
+        }
     }
-    calls
+    Ok(realisations)
 }
 
-fn sample(
-    hull: fn(Points<'_, 2>, Boundary) -> Result<Hull2, HullError>,
-    points: Points<'_, 2>,
-    calls: u64,
-) -> Duration {
+/// The methods certified on every set of the cell, warm; GS twice.
+fn contestants(
+    distribution: &str,
+    n: usize,
+    block: &Times,
+    records: &Records,
+    sets: &[Points<'_, 2>],
+) -> Result<Vec<Contestant>> {
+    let mut contestants = Vec::new();
+    for method in block
+        .methods
+        .iter()
+        .filter(|method| !records.failed(distribution, n, method))
+    {
+        let hull = hull_method(method)?.exact;
+        let passes = passes_for_a_sample(hull, sets);
+        contestants.push(Contestant {
+            name: method.clone(),
+            hull,
+            passes,
+        });
+        if method == "gs" {
+            contestants.push(Contestant {
+                name: TWIN.to_owned(),
+                hull,
+                passes,
+            });
+        }
+    }
+    Ok(contestants)
+}
+
+/// How many passes over the sets take at least [`SHORTEST`], by doubling. Also warms up.
+fn passes_for_a_sample(hull: HullFunction, sets: &[Points<'_, 2>]) -> u64 {
+    let mut passes = 1;
+    while sample(hull, sets, passes) < SHORTEST {
+        passes *= 2;
+    }
+    passes
+}
+
+fn sample(hull: HullFunction, sets: &[Points<'_, 2>], passes: u64) -> Duration {
     let start = Instant::now();
-    for _ in 0..calls {
-        let _ = black_box(hull(black_box(points), Boundary::All));
+    for _ in 0..passes {
+        for &points in sets {
+            let _ = black_box(hull(black_box(points), Boundary::All));
+        }
     }
     start.elapsed()
 }

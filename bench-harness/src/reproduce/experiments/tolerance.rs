@@ -15,36 +15,59 @@ use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
 use crate::reproduce::records::{FailureRow, Records, ToleranceRow};
 use crate::reproduce::sets::PointSet;
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use geometry_core::tolerance::formats::{Cdc7600, Double, Extended, IbmShort, Single};
 use geometry_core::{Boundary, Kernel2, Layers, Points, Tally, Tolerance};
 
+/// A lattice as it is presented to the methods. The paper prints no coordinates.
+#[derive(Clone, Copy)]
+struct Presentation {
+    /// The name in the records.
+    data: &'static str,
+    fitted: bool,
+    /// Decimals kept; `None` for all that a double holds.
+    decimals: Option<u32>,
+}
+
 /// Runs the sweep of the definition.
 pub(crate) fn run(definition: &Definition, records: &mut Records) -> Result<()> {
-    let decimals = definition
-        .tolerance
-        .lattice
-        .decimals
-        .iter()
-        .map(|&decimals| Some(decimals));
-    let lattices: Vec<Option<u32>> = std::iter::once(None).chain(decimals).collect();
-    let progress = Progress::start("tolerance", 1 + lattices.len());
+    let mut decimals = vec![None];
+    decimals.extend(
+        definition
+            .tolerance
+            .lattice
+            .decimals
+            .iter()
+            .copied()
+            .map(Some),
+    );
+    let placed = |data, fitted| {
+        decimals.iter().map(move |&decimals| Presentation {
+            data,
+            fitted,
+            decimals,
+        })
+    };
+    let presentations: Vec<Presentation> = placed("lattice", false)
+        .chain(placed("lattice-fitted", true))
+        .collect();
+    let progress = Progress::start("tolerance", 1 + presentations.len());
     let numbers: Vec<u64> = (0..definition.tolerance.sets).collect();
     let rows = parallel::map(&numbers, |&replicate| random(definition, replicate))?;
     records.tolerance.extend(rows.into_iter().flatten());
     progress.finished("random");
-    for decimals in lattices {
+    for presentation in presentations {
         let rows = parallel::map(&numbers, |&replicate| {
-            lattice(definition, decimals, replicate)
+            lattice(definition, presentation, replicate)
         })?;
         for (rows, failure) in rows {
             records.tolerance.extend(rows);
             records.failures.extend(failure);
         }
-        progress.finished(&decimals.map_or_else(
-            || "lattice".to_owned(),
-            |decimals| format!("lattice to {decimals} decimals"),
-        ));
+        progress.finished(&match presentation.decimals {
+            None => presentation.data.to_owned(),
+            Some(decimals) => format!("{} to {decimals} decimals", presentation.data),
+        });
     }
     Ok(())
 }
@@ -67,45 +90,40 @@ fn random(definition: &Definition, replicate: u64) -> Result<Vec<ToleranceRow>> 
 /// The sweep over one turned lattice, and the control: exact answers are certified for the points as given.
 fn lattice(
     definition: &Definition,
-    decimals: Option<u32>,
+    presentation: Presentation,
     replicate: u64,
 ) -> Result<(Vec<ToleranceRow>, Option<FailureRow>)> {
     let data = &definition.tolerance.lattice;
-    let plain = PointSet::generate(definition.seed, &data.plain, data.n, 0)?;
     let gs_peel = layers_method("gs-peel")?;
+    let plain = PointSet::generate(definition.seed, &data.plain, data.n, 0)?;
     let intended = Answer::of(&(gs_peel.exact)(
         Points::new(&plain.points)?,
         Boundary::All,
     )?);
     let mut set = PointSet::generate(definition.seed, &data.distribution, data.n, replicate)?;
-    if let Some(decimals) = decimals {
-        // The same angle, so that the lattices differ by the rounding only.
-        let spec: point_sets::Spec = format!("{}:decimals={decimals}", data.distribution)
-            .parse()
-            .context("the rounded lattice")?;
-        set.points = spec.generate(data.n, set.seed)?;
+    if presentation.fitted {
+        fit_into_unit_square(&mut set.points);
+    }
+    if let Some(decimals) = presentation.decimals {
+        round_to(&mut set.points, decimals);
     }
     let points = Points::new(&set.points)?;
     let sweep = Sweep {
         definition,
         set: &set,
-        data: "lattice",
-        decimals,
+        data: presentation.data,
+        decimals: presentation.decimals,
     };
     let mut rows = sweep.rows(|kernel| peels_to(points, kernel, &intended))?;
-    if decimals.is_none() {
-        let eddy = hull_method("eddy")?;
-        let sweep = Sweep {
-            data: "lattice-eddy",
-            ..sweep
-        };
-        rows.extend(sweep.rows(|kernel| {
-            match (eddy.tallied)(points, Boundary::All, kernel, &mut Tally::default()) {
-                Ok(hull) if Some(&cycle(hull.vertices())) == intended.rings.first() => 'r',
-                Ok(_) => 'w',
-                Err(_) => 'c',
-            }
-        })?);
+    if !presentation.fitted && presentation.decimals.is_none() {
+        rows.extend(eddy(
+            Sweep {
+                data: "lattice-eddy",
+                ..sweep
+            },
+            points,
+            &intended,
+        )?);
     }
     let exact = (gs_peel.exact)(points, Boundary::All)?;
     let failure = hull_verify::check::layers(&set.points, Boundary::All, &exact).err();
@@ -121,6 +139,47 @@ fn lattice(
             .unwrap_or_default(),
     });
     Ok((rows, failure))
+}
+
+/// The first hull by Eddy's method, against the first intended ring.
+fn eddy(sweep: Sweep<'_>, points: Points<'_, 2>, intended: &Answer) -> Result<Vec<ToleranceRow>> {
+    let method = hull_method("eddy")?;
+    sweep.rows(|kernel| {
+        match (method.tallied)(points, Boundary::All, kernel, &mut Tally::default()) {
+            Ok(hull) if Some(&cycle(hull.vertices())) == intended.rings.first() => 'r',
+            Ok(_) => 'w',
+            Err(_) => 'c',
+        }
+    })
+}
+
+/// Moves and scales the points, both axes alike, so that their bounding box just fits into the unit square.
+fn fit_into_unit_square(points: &mut [[f64; 2]]) {
+    let least = |axis: usize| {
+        points
+            .iter()
+            .map(|point| point[axis])
+            .fold(f64::INFINITY, f64::min)
+    };
+    let most = |axis: usize| {
+        points
+            .iter()
+            .map(|point| point[axis])
+            .fold(f64::NEG_INFINITY, f64::max)
+    };
+    let from = [least(0), least(1)];
+    let side = (most(0) - from[0]).max(most(1) - from[1]);
+    for point in points {
+        *point = [0, 1].map(|axis| (point[axis] - from[axis]) / side);
+    }
+}
+
+/// Rounds the coordinates as printing and reading them again would.
+fn round_to(points: &mut [[f64; 2]], decimals: u32) {
+    for coordinate in points.as_flattened_mut() {
+        let printed = format!("{coordinate:.*}", decimals as usize);
+        *coordinate = printed.parse().expect("a printed number can be read");
+    }
 }
 
 /// The rings of a peeling and the ring of every point.

@@ -1,7 +1,7 @@
 //! Figures 1 and 2: the convex hull peels of 100 random points and of an oblique lattice.
 
 use super::folder::Folder;
-use super::plot::{PALETTE, drawing};
+use super::plot::{Entry, LEGEND, PALETTE, Stroke, drawing, legend, number as tick};
 use super::sheet::Sheet;
 use crate::reproduce::definition::RandomData;
 use crate::reproduce::experiments::layers_method;
@@ -77,10 +77,13 @@ fn window(points: &[[f64; 2]]) -> [std::ops::Range<f64>; 2] {
 fn draw(points: &[[f64; 2]], layers: &Layers, title: &str) -> Result<String> {
     let mut svg = String::new();
     {
-        let area = SVGBackend::with_string(&mut svg, (SIDE, SIDE + 30)).into_drawing_area();
+        let area =
+            SVGBackend::with_string(&mut svg, (SIDE + LEGEND, SIDE + 30)).into_drawing_area();
+        let (main, side) = area.split_horizontally(SIDE);
+        let mut entries = Vec::new();
         area.fill(&WHITE).map_err(drawing)?;
         let [x, y] = window(points);
-        let mut context = ChartBuilder::on(&area)
+        let mut context = ChartBuilder::on(&main)
             .caption(title, ("sans-serif", 18))
             .margin(10)
             .x_label_area_size(36)
@@ -92,6 +95,8 @@ fn draw(points: &[[f64; 2]], layers: &Layers, title: &str) -> Result<String> {
             .disable_mesh()
             .x_desc("x")
             .y_desc("y")
+            .x_label_formatter(&|value| tick(*value))
+            .y_label_formatter(&|value| tick(*value))
             .label_style(("sans-serif", 13))
             .draw()
             .map_err(drawing)?;
@@ -104,17 +109,17 @@ fn draw(points: &[[f64; 2]], layers: &Layers, title: &str) -> Result<String> {
                 .collect();
             let corners = outline.clone();
             outline.extend(corners.first().copied());
-            let label = format!("peel {}: {} points", number + 1, corners.len());
+            entries.push(Entry {
+                label: format!("peel {}: {} points", number + 1, corners.len()),
+                colour,
+                stroke: Stroke::Solid,
+            });
             context
                 .draw_series(std::iter::once(PathElement::new(
                     outline,
                     colour.stroke_width(2),
                 )))
-                .map_err(drawing)?
-                .label(label)
-                .legend(move |(x, y)| {
-                    PathElement::new(vec![(x, y), (x + 18, y)], colour.stroke_width(2))
-                });
+                .map_err(drawing)?;
             context
                 .draw_series(
                     corners
@@ -123,14 +128,7 @@ fn draw(points: &[[f64; 2]], layers: &Layers, title: &str) -> Result<String> {
                 )
                 .map_err(drawing)?;
         }
-        context
-            .configure_series_labels()
-            .position(SeriesLabelPosition::LowerRight)
-            .background_style(WHITE.mix(0.8))
-            .border_style(RGBColor(160, 160, 160))
-            .label_font(("sans-serif", 12))
-            .draw()
-            .map_err(drawing)?;
+        legend(&side, &entries)?;
         area.present().map_err(drawing)?;
     }
     Ok(svg)

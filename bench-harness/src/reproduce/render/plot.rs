@@ -1,6 +1,7 @@
 //! A line chart against n: series as data, drawn as SVG.
 
 use anyhow::{Result, anyhow};
+use plotters::coord::Shift;
 use plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
 use plotters::prelude::*;
 
@@ -15,7 +16,10 @@ pub(crate) const PALETTE: [RGBColor; 7] = [
     RGBColor(60, 60, 60),
 ];
 
-const SIZE: (u32, u32) = (860, 560);
+const SIZE: (u32, u32) = (900, 540);
+
+/// Width of a legend.
+pub(crate) const LEGEND: u32 = 150;
 
 /// How a series is drawn, beside its colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,7 +91,8 @@ where
 {
     let area = SVGBackend::with_string(svg, SIZE).into_drawing_area();
     area.fill(&WHITE).map_err(drawing)?;
-    let mut context = ChartBuilder::on(&area)
+    let (main, side) = area.split_horizontally(SIZE.0 - LEGEND);
+    let mut context = ChartBuilder::on(&main)
         .caption(chart.title, ("sans-serif", 20))
         .margin(12)
         .x_label_area_size(46)
@@ -109,14 +114,14 @@ where
         let points = series.points.iter().copied();
         let style = series.colour.stroke_width(2);
         let colour = series.colour;
-        let drawn = match series.stroke {
+        match series.stroke {
             Stroke::Solid => {
                 context
                     .draw_series(points.clone().map(|p| Circle::new(p, 4, colour.filled())))
                     .map_err(drawing)?;
                 context
                     .draw_series(LineSeries::new(points, style))
-                    .map_err(drawing)?
+                    .map_err(drawing)?;
             }
             Stroke::Dashed => {
                 context
@@ -128,31 +133,58 @@ where
                     .map_err(drawing)?;
                 context
                     .draw_series(DashedLineSeries::new(points, 8, 5, style))
-                    .map_err(drawing)?
+                    .map_err(drawing)?;
             }
-        };
-        let dash = if series.stroke == Stroke::Dashed {
-            8
-        } else {
-            26
-        };
-        drawn.label(&series.label).legend(move |(x, y)| {
-            // Two short pieces read as dashed.
-            let piece =
-                |from: i32| PathElement::new(vec![(x + from, y), (x + from + dash, y)], style);
-            EmptyElement::at((0, 0)) + piece(0) + piece(26 - dash)
-        });
+        }
     }
-    context
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperLeft)
-        .background_style(WHITE.mix(0.85))
-        .border_style(RGBColor(160, 160, 160))
-        .label_font(("sans-serif", 14))
-        .legend_area_size(34)
-        .draw()
-        .map_err(drawing)?;
+    let entries = chart.series.iter().map(|series| Entry {
+        label: series.label.clone(),
+        colour: series.colour,
+        stroke: series.stroke,
+    });
+    legend(&side, &entries.collect::<Vec<_>>())?;
     area.present().map_err(drawing)
+}
+
+/// The drawing area, in pixels.
+pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// A line of a legend.
+#[derive(Clone, Debug)]
+pub(crate) struct Entry {
+    pub(crate) label: String,
+    pub(crate) colour: RGBColor,
+    pub(crate) stroke: Stroke,
+}
+
+/// Draws the legend into an area of its own, so that it hides nothing.
+pub(crate) fn legend(area: &Area<'_>, entries: &[Entry]) -> Result<()> {
+    for (place, entry) in (0..).zip(entries) {
+        let y = 50 + 24 * place;
+        let colour = entry.colour;
+        let piece =
+            |from: i32, to: i32| PathElement::new(vec![(from, y), (to, y)], colour.stroke_width(2));
+        match entry.stroke {
+            Stroke::Solid => {
+                area.draw(&piece(4, 36)).map_err(drawing)?;
+                area.draw(&Circle::new((20, y), 4, colour.filled()))
+                    .map_err(drawing)?;
+            }
+            Stroke::Dashed => {
+                area.draw(&piece(4, 13)).map_err(drawing)?;
+                area.draw(&piece(27, 36)).map_err(drawing)?;
+                area.draw(&TriangleMarker::new((20, y), 6, colour.filled()))
+                    .map_err(drawing)?;
+            }
+        }
+        let text = Text::new(
+            entry.label.clone(),
+            (44, y - 7),
+            ("sans-serif", 14).into_font(),
+        );
+        area.draw(&text).map_err(drawing)?;
+    }
+    Ok(())
 }
 
 /// What went wrong while drawing. The backend writes to a string, so it is a fault of the chart's.
@@ -161,7 +193,7 @@ pub(crate) fn drawing(error: impl std::fmt::Display) -> anyhow::Error {
 }
 
 /// A tick's label: powers of ten from 10⁵ on as such.
-fn number(value: f64) -> String {
+pub(crate) fn number(value: f64) -> String {
     let power = value.abs().log10();
     if power >= 5.0 && (power - power.round()).abs() < 1e-9 {
         let digits = (power.round() as i32).to_string();

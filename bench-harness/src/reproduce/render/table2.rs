@@ -7,7 +7,7 @@ use crate::reproduce::derived::{
 };
 use crate::reproduce::experiments::times::TWIN;
 use crate::reproduce::published::{KIN, METHODS, Published};
-use crate::reproduce::records::Records;
+use crate::reproduce::records::{CountRow, Records};
 use crate::reproduce::stats::kendall;
 use crate::reproduce::theory::hull_size::expected;
 use anyhow::Result;
@@ -159,7 +159,8 @@ fn section(records: &Records, published: &Published, cell: Cell<'_>) -> Sheet {
             fixed(a_point(records, cell, slug, |row| row.orientations), 3),
             fixed(a_point(records, cell, slug, |row| row.questions()), 3),
             fixed(
-                count_ratio(records, cell, slug, "gs").map(|ratio| ratio.ratio()),
+                count_ratio(records, cell, slug, "gs", CountRow::questions)
+                    .map(|ratio| ratio.ratio()),
                 3,
             ),
         ]);
@@ -227,7 +228,8 @@ fn long(sheet: &mut Sheet, records: &Records, published: &Published, cell: Cell<
             fixed(a_point(records, cell, slug, |row| row.orientations), 5),
             fixed(a_point(records, cell, slug, |row| row.questions()), 5),
             fixed(
-                count_ratio(records, cell, slug, "gs").map(|ratio| ratio.ratio()),
+                count_ratio(records, cell, slug, "gs", CountRow::questions)
+                    .map(|ratio| ratio.ratio()),
                 5,
             ),
         ]);

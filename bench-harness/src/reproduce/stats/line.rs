@@ -64,45 +64,25 @@ pub(crate) fn fit_log_log(data: &[(f64, f64)]) -> Option<Line> {
     fit(&logs)
 }
 
-/// The line through (ln x, y), each point weighted by the inverse variance of the y at its x.
+/// The line through (ln x, y), every point of the same weight, with an error of the slope that holds however
+/// the spread of y changes with x.
 ///
-/// An x with fewer than three values, or whose values are all equal, gets the pooled variance.
+/// H. White, *A heteroskedasticity-consistent covariance matrix estimator*, Econometrica 48 (1980), with the
+/// factor N / (N - 2) for small N.
 pub(crate) fn fit_on_log(data: &[(f64, f64)]) -> Option<Line> {
-    let variance = |values: &[f64]| super::summary::deviation(values).powi(2);
-    let mut xs: Vec<f64> = data.iter().map(|(x, _)| *x).collect();
-    xs.sort_unstable_by(f64::total_cmp);
-    xs.dedup();
-    let at = |x: f64| -> Vec<f64> {
-        data.iter()
-            .filter(|(other, _)| other.total_cmp(&x).is_eq())
-            .map(|(_, y)| *y)
-            .collect()
-    };
-    let groups: Vec<(f64, Vec<f64>)> = xs.into_iter().map(|x| (x, at(x))).collect();
-    let known: Vec<f64> = groups
+    let logs: Vec<(f64, f64, f64)> = data.iter().map(|(x, y)| (x.ln(), *y, 1.0)).collect();
+    let line = fit(&logs)?;
+    let x_mean = logs.iter().map(|(x, ..)| x).sum::<f64>() / logs.len() as f64;
+    let spread: f64 = logs.iter().map(|(x, ..)| (x - x_mean).powi(2)).sum();
+    let squares: f64 = logs
         .iter()
-        .map(|(_, ys)| variance(ys))
-        .filter(|v| *v > 0.0)
-        .collect();
-    let pooled = if known.is_empty() {
-        1.0
-    } else {
-        super::summary::mean(&known)
-    };
-    let weighted: Vec<(f64, f64, f64)> = groups
-        .iter()
-        .flat_map(|(x, ys)| {
-            let own = variance(ys);
-            let weight = 1.0
-                / if ys.len() >= 3 && own > 0.0 {
-                    own
-                } else {
-                    pooled
-                };
-            ys.iter().map(move |y| (x.ln(), *y, weight))
-        })
-        .collect();
-    fit(&weighted)
+        .map(|(x, y, _)| ((x - x_mean) * (y - line.intercept - line.slope * x)).powi(2))
+        .sum();
+    let factor = logs.len() as f64 / line.freedom;
+    Some(Line {
+        slope_error: (factor * squares).sqrt() / spread,
+        ..line
+    })
 }
 
 #[cfg(test)]
@@ -136,20 +116,21 @@ mod tests {
     }
 
     #[test]
-    fn weights_follow_the_spread() {
+    fn the_error_follows_the_spread() {
+        // Spread at the two ends only: 1 at x = 1, none at x = e, 3 at x = e².
+        let e = std::f64::consts::E;
         let data = [
-            (1.0, 0.0),
-            (1.0, 0.01),
-            (1.0, -0.01),
-            (10.0, 1.0),
-            (10.0, 1.01),
-            (10.0, 0.99),
-            (100.0, 9.0),
-            (100.0, -9.0),
-            (100.0, 0.0),
+            (1.0, 1.0),
+            (1.0, -1.0),
+            (e, 0.0),
+            (e, 0.0),
+            (e * e, 3.0),
+            (e * e, -3.0),
         ];
         let line = fit_on_log(&data).expect("a line");
-        assert!((line.slope - 1.0 / 10_f64.ln()).abs() < 1e-4, "{line:?}");
+        assert!(line.slope.abs() < 1e-12);
+        let by_hand = (6.0_f64 / 4.0 * (1.0 + 1.0 + 9.0 + 9.0)).sqrt() / 4.0;
+        assert!((line.slope_error - by_hand).abs() < 1e-9, "{line:?}");
     }
 
     #[test]

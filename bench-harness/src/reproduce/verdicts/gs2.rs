@@ -139,7 +139,7 @@ mod tests {
             Outcome::Refuted
         );
         assert_eq!(
-            judge(&records(1.4, 0.0), &published).outcome,
+            judge(&records(1.7, 0.0), &published).outcome,
             Outcome::NotDistinguishable
         );
         assert_eq!(

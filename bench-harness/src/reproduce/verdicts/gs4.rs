@@ -3,7 +3,7 @@
 use super::{Outcome, Part, Verdict, all_of, ratio_text, with_time};
 use crate::reproduce::derived::{count_ratio, time_ratio};
 use crate::reproduce::published::{DISTRIBUTIONS, Published, SIZES, cells};
-use crate::reproduce::records::Records;
+use crate::reproduce::records::{CountRow, Records};
 use crate::reproduce::stats::bootstrap::Bootstrapped;
 use crate::reproduce::stats::holm;
 
@@ -94,7 +94,7 @@ fn falls_in_time(records: &Records) -> Part {
 fn slower_in_counts(records: &Records) -> Part {
     let what = "counts: E asks more questions than GS in each of the six cells";
     let ratios: Option<Vec<_>> = cells()
-        .map(|cell| count_ratio(records, cell, "eddy", "gs"))
+        .map(|cell| count_ratio(records, cell, "eddy", "gs", CountRow::questions))
         .collect();
     let Some(ratios) = ratios else {
         return Part::new(what, Outcome::NotTestable, "not counted in every cell");
@@ -117,7 +117,15 @@ fn falls_in_counts(records: &Records) -> Part {
     let falls: Option<Vec<(f64, f64)>> = DISTRIBUTIONS
         .iter()
         .map(|distribution| {
-            let at = |n| count_ratio(records, (distribution, n), "eddy", "gs");
+            let at = |n| {
+                count_ratio(
+                    records,
+                    (distribution, n),
+                    "eddy",
+                    "gs",
+                    CountRow::questions,
+                )
+            };
             let (small, large) = (at(small)?, at(large)?);
             Some((
                 small.log - large.log,

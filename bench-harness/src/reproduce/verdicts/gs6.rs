@@ -4,7 +4,7 @@ use super::{Outcome, Part, Verdict, all_of, ratio_text, with_time};
 use crate::reproduce::derived::{count_ratio, time_ratio};
 use crate::reproduce::experiments::times::TWIN;
 use crate::reproduce::published::{Published, cells};
-use crate::reproduce::records::Records;
+use crate::reproduce::records::{CountRow, Records};
 use crate::reproduce::stats::interval::{Place, equivalence};
 
 /// A negligible share of the time.
@@ -59,7 +59,7 @@ fn by_time(records: &Records, cell: (&str, usize)) -> Part {
 fn by_counts(records: &Records) -> Part {
     let what = "counts: the bookkeeping asks no question";
     let ratios: Option<Vec<_>> = cells()
-        .map(|cell| count_ratio(records, cell, "gs", "gs-bare"))
+        .map(|cell| count_ratio(records, cell, "gs", "gs-bare", CountRow::questions))
         .collect();
     let Some(ratios) = ratios else {
         return Part::new(what, Outcome::NotTestable, "not counted in every cell");

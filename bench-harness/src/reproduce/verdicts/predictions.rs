@@ -4,7 +4,7 @@ use super::gs3::circle_line;
 use super::gs9::layers_constant;
 use crate::reproduce::derived::{a_point, count_ratio, counts_against_n, median_time};
 use crate::reproduce::published::{Prediction, Published};
-use crate::reproduce::records::{PeelRow, Records};
+use crate::reproduce::records::{CountRow, PeelRow, Records};
 use crate::reproduce::stats::summary::mean;
 
 /// A prediction and the value it is about.
@@ -35,10 +35,19 @@ pub(crate) fn check<'a>(records: &Records, published: &'a Published) -> Vec<Chec
 /// The value of the prediction's measure.
 fn measure(id: &str, records: &Records) -> Option<f64> {
     match id {
-        "jarvis-disc" => Some(count_ratio(records, ("disc", 1_000), "jarvis-j1", "gs")?.ratio()),
-        "jarvis-beats-graham" => {
-            Some(count_ratio(records, ("cauchy", 1_000), "jarvis-j1", "graham")?.ratio())
+        "jarvis-disc" => {
+            Some(count_ratio(records, ("disc", 1_000), "jarvis-j1", "gs", areas)?.ratio())
         }
+        "jarvis-beats-graham" => Some(
+            count_ratio(
+                records,
+                ("cauchy", 1_000),
+                "jarvis-j1",
+                "graham",
+                CountRow::questions,
+            )?
+            .ratio(),
+        ),
         "disc-constant" => evaluations_at_largest(records, "disc"),
         "normal-constant" => evaluations_at_largest(records, "normal"),
         "circle-slope" => Some(circle_line(records)?.slope * std::f64::consts::LN_2),
@@ -69,6 +78,10 @@ fn measure(id: &str, records: &Records) -> Option<f64> {
         }
         _ => None,
     }
+}
+
+fn areas(row: &CountRow) -> u64 {
+    row.orientations
 }
 
 /// The largest n at which GS was counted.
