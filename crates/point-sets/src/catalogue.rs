@@ -18,8 +18,31 @@ pub struct Entry {
     pub(crate) generate: Generate,
 }
 
-/// Makes n points with the parameters of a spec and a seed.
-pub(crate) type Generate = fn(&Spec, usize, u64) -> Result<Vec<[f64; 2]>, SpecError>;
+impl Entry {
+    /// The dimensions of which the set can be: 2 for the plane, 3 for space, and both for a set made of another,
+    /// which is of the dimension of that one.
+    pub fn dimensions(&self) -> &'static [usize] {
+        match self.generate {
+            Generate::Plane(_) => &[2],
+            Generate::Space(_) => &[3],
+            Generate::Either(..) => &[2, 3],
+        }
+    }
+}
+
+/// Makes n points of dimension D with the parameters of a spec and a seed.
+type Maker<const D: usize> = fn(&Spec, usize, u64) -> Result<Vec<[f64; D]>, SpecError>;
+
+/// How the points of a set are made, by its dimension.
+#[derive(Debug)]
+pub(crate) enum Generate {
+    /// A set of the plane.
+    Plane(Maker<2>),
+    /// A set of space.
+    Space(Maker<3>),
+    /// A set made of the set `of`, in the dimension of that one.
+    Either(Maker<2>, Maker<3>),
+}
 
 /// One choice about a point set, written `name=value`.
 #[derive(Debug)]
@@ -46,7 +69,7 @@ pub(crate) enum Kind {
     Set,
 }
 
-/// Every point set there is, in the order to list them.
+/// Every point set there is, in the order to list them: those of the plane, those of space, those made of others.
 ///
 /// ```
 /// let names: Vec<_> = point_sets::catalogue().iter().map(|entry| entry.name).collect();
@@ -70,7 +93,24 @@ static CATALOGUE: &[Entry] = &[
     sets::parabola::ENTRY,
     sets::nested_triangles::ENTRY,
     sets::killer::ENTRY,
+    sets::flattened_sphere::ENTRY,
+    sets::ball::ENTRY,
+    sets::cube::ENTRY,
+    sets::normal3::ENTRY,
+    sets::cauchy3::ENTRY,
+    sets::sphere::ENTRY,
+    sets::paraboloid::ENTRY,
+    sets::moment_curve::ENTRY,
+    sets::cube_faces::ENTRY,
+    sets::cubic_lattice::ENTRY,
+    sets::prism::ENTRY,
+    sets::antiprism::ENTRY,
+    sets::near_coplanar::ENTRY,
+    sets::circle_and_axis::ENTRY,
+    sets::fan::ENTRY,
+    sets::cone::ENTRY,
     sets::duplicated::ENTRY,
     sets::shuffled::ENTRY,
     sets::rounded::ENTRY,
+    sets::minkowski::ENTRY,
 ];

@@ -41,6 +41,30 @@ impl Draw {
         }
     }
 
+    /// Uniform on the unit ball, with its squared distance from the centre: a point of the cube around the ball,
+    /// drawn again while it is outside (6/π draws on average).
+    pub(crate) fn in_ball(&mut self) -> ([f64; 3], f64) {
+        loop {
+            let [x, y, z] = [(); 3].map(|()| 2.0 * self.unit() - 1.0);
+            let squared = x * x + y * y + z * z;
+            if squared <= 1.0 {
+                return ([x, y, z], squared);
+            }
+        }
+    }
+
+    /// Uniform on the unit sphere, but for rounding: a point of the ball pushed out; points near the centre,
+    /// whose direction is coarse, are drawn again.
+    pub(crate) fn on_sphere(&mut self) -> [f64; 3] {
+        loop {
+            let (point, squared) = self.in_ball();
+            if squared > 1e-4 {
+                let distance = squared.sqrt();
+                return point.map(|coordinate| coordinate / distance);
+            }
+        }
+    }
+
     /// Standard normal, by the polar method of G. Marsaglia and T. A. Bray, A convenient method for
     /// generating normal variables, SIAM Review 6 (1964) 260–264.
     pub(crate) fn normal(&mut self) -> f64 {

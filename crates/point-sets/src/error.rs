@@ -69,6 +69,14 @@ pub enum SpecError {
         /// What does not go together, and what would.
         problem: String,
     },
+    /// The set is of the plane and a set of space is asked for, or the other way round.
+    #[error("{set} is a set of {} and a set of {} is needed; take {}", place(5 - .asked), place(*.asked), sets_of(*.asked))]
+    Dimension {
+        /// The set.
+        set: &'static str,
+        /// The dimension asked for: 2 or 3.
+        asked: usize,
+    },
     /// The set cannot be made that large.
     #[error("{set} has at most {limit} points and {asked} are asked: {reason}")]
     TooMany {
@@ -89,6 +97,16 @@ fn suggestion(nearest: &Option<&'static str>) -> String {
 
 fn names<T>(of: &[T], name: fn(&T) -> &'static str) -> String {
     of.iter().map(name).collect::<Vec<_>>().join(", ")
+}
+
+fn place(dimension: usize) -> &'static str {
+    if dimension == 2 { "the plane" } else { "space" }
+}
+
+fn sets_of(dimension: usize) -> String {
+    let only = |entry: &&Entry| entry.dimensions() == [dimension];
+    let names: Vec<_> = catalogue().iter().filter(only).map(|e| e.name).collect();
+    format!("one of {}, or a set made of one of these", names.join(", "))
 }
 
 fn possible(set: &str) -> String {

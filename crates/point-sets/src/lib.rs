@@ -11,6 +11,9 @@
 //! let points = spec.generate(100, 1)?;
 //! assert_eq!(points[99], [9.0, 9.0]);
 //! assert_eq!(fingerprint(&points), fingerprint(&spec.generate(100, 2)?));
+//!
+//! let ball = "ball".parse::<Spec>()?.generate3(100, 1)?;
+//! assert_eq!(ball.len(), 100);
 //! # Ok::<(), point_sets::SpecError>(())
 //! ```
 //!

@@ -1,18 +1,35 @@
 //! One file a point set.
 
+pub(crate) mod antiprism;
+pub(crate) mod ball;
 pub(crate) mod cauchy;
+pub(crate) mod cauchy3;
 pub(crate) mod circle;
+pub(crate) mod circle_and_axis;
 pub(crate) mod collinear;
+pub(crate) mod cone;
+pub(crate) mod cube;
+pub(crate) mod cube_faces;
+pub(crate) mod cubic_lattice;
 pub(crate) mod disc;
 pub(crate) mod duplicated;
+pub(crate) mod fan;
+pub(crate) mod flattened_sphere;
 pub(crate) mod killer;
 pub(crate) mod lattice;
+pub(crate) mod minkowski;
+pub(crate) mod moment_curve;
 pub(crate) mod near_collinear;
+pub(crate) mod near_coplanar;
 pub(crate) mod nested_triangles;
 pub(crate) mod normal;
+pub(crate) mod normal3;
 pub(crate) mod oblique;
 pub(crate) mod parabola;
+pub(crate) mod paraboloid;
+pub(crate) mod prism;
 pub(crate) mod rotated;
 pub(crate) mod rounded;
 pub(crate) mod shuffled;
+pub(crate) mod sphere;
 pub(crate) mod square;

@@ -1,6 +1,6 @@
 //! The name of a point set and its parameters, as text and as a value.
 
-use crate::catalogue::{Entry, Kind, Parameter, catalogue};
+use crate::catalogue::{Entry, Generate, Kind, Parameter, catalogue};
 use crate::error::{SpecError, expectation, nearest};
 use crate::syntax;
 use std::fmt;
@@ -51,6 +51,24 @@ impl Spec {
         self.entry
     }
 
+    /// The dimension of the points: 2 for a set of the plane, 3 for a set of space.
+    ///
+    /// A set made of another has the dimension of that one.
+    ///
+    /// ```
+    /// # use point_sets::Spec;
+    /// assert_eq!("disc".parse::<Spec>()?.dimension(), 2);
+    /// assert_eq!("shuffled:of=ball".parse::<Spec>()?.dimension(), 3);
+    /// # Ok::<(), point_sets::SpecError>(())
+    /// ```
+    pub fn dimension(&self) -> usize {
+        match self.entry.generate {
+            Generate::Plane(_) => 2,
+            Generate::Space(_) => 3,
+            Generate::Either(..) => self.set("of").dimension(),
+        }
+    }
+
     /// The number of points that the parameters say there are: `cols` times `rows` if both are given, also
     /// inside another set.
     ///
@@ -62,36 +80,30 @@ impl Spec {
     /// # Ok::<(), point_sets::SpecError>(())
     /// ```
     pub fn size(&self) -> Option<usize> {
-        let declares = |name| {
-            self.entry
-                .parameters
-                .iter()
-                .any(|declared| declared.name == name)
-        };
-        let (one, other) = if declares("of") {
-            let copies = if declares("copies") {
-                self.integer("copies") as usize
-            } else {
-                1
-            };
-            (self.set("of").size()?, copies)
-        } else if declares("cols") {
-            let [cols, rows] = ["cols", "rows"].map(|name| self.open_integer(name));
-            (cols? as usize, rows? as usize)
-        } else {
-            return None;
-        };
-        one.checked_mul(other)
+        let declares = |name: &str| self.entry.parameters.iter().any(|p| p.name == name);
+        let own = ["cols", "rows", "layers", "copies", "parts"].into_iter();
+        let mut factors: Vec<Option<usize>> = own
+            .filter(|name| declares(name))
+            .map(|name| self.open_integer(name).map(|value| value as usize))
+            .collect();
+        if declares("of") {
+            factors.push(self.set("of").size());
+        }
+        let product = |size: usize, factor: Option<usize>| size.checked_mul(factor?);
+        (!factors.is_empty())
+            .then_some(1)
+            .and_then(|one| factors.into_iter().try_fold(one, product))
     }
 
-    /// Makes `n` points of the set.
+    /// Makes `n` points of a set of the plane.
     ///
     /// The same spec, `n` and `seed` give the same bits on every machine. Sets without randomness ignore the
     /// seed.
     ///
     /// # Errors
     ///
-    /// [`SpecError::TooMany`] or [`SpecError::Conflict`] if the set cannot have `n` points.
+    /// [`SpecError::TooMany`] or [`SpecError::Conflict`] if the set cannot have `n` points;
+    /// [`SpecError::Dimension`] for a set of space.
     ///
     /// # Cost
     ///
@@ -104,15 +116,57 @@ impl Spec {
     /// # Ok::<(), point_sets::SpecError>(())
     /// ```
     pub fn generate(&self, n: usize, seed: u64) -> Result<Vec<[f64; 2]>, SpecError> {
-        if u32::try_from(n).is_err() {
-            return Err(SpecError::TooMany {
-                set: self.name(),
-                limit: u32::MAX as usize,
-                asked: n,
-                reason: "points are named by 32-bit indices",
-            });
+        self.check_count(n)?;
+        match self.entry.generate {
+            Generate::Plane(make) | Generate::Either(make, _) => make(self, n, seed),
+            Generate::Space(_) => Err(self.wrong_dimension(2)),
         }
-        (self.entry.generate)(self, n, seed)
+    }
+
+    /// Makes `n` points of a set of space; otherwise as [`generate`](Self::generate).
+    ///
+    /// # Errors
+    ///
+    /// As [`generate`](Self::generate), with [`SpecError::Dimension`] for a set of the plane.
+    ///
+    /// # Cost
+    ///
+    /// O(n) time and space.
+    ///
+    /// ```
+    /// let ball: point_sets::Spec = "ball".parse()?;
+    /// let points = ball.generate3(1000, 7)?;
+    /// assert!(points.iter().all(|[x, y, z]| x * x + y * y + z * z <= 1.0));
+    ///
+    /// let disc: point_sets::Spec = "disc".parse()?;
+    /// assert!(disc.generate3(10, 7).is_err());
+    /// # Ok::<(), point_sets::SpecError>(())
+    /// ```
+    pub fn generate3(&self, n: usize, seed: u64) -> Result<Vec<[f64; 3]>, SpecError> {
+        self.check_count(n)?;
+        match self.entry.generate {
+            Generate::Space(make) | Generate::Either(_, make) => make(self, n, seed),
+            Generate::Plane(_) => Err(self.wrong_dimension(3)),
+        }
+    }
+
+    fn check_count(&self, n: usize) -> Result<(), SpecError> {
+        if u32::try_from(n).is_ok() {
+            return Ok(());
+        }
+        Err(SpecError::TooMany {
+            set: self.name(),
+            limit: u32::MAX as usize,
+            asked: n,
+            reason: "points are named by 32-bit indices",
+        })
+    }
+
+    fn wrong_dimension(&self, asked: usize) -> SpecError {
+        SpecError::Dimension {
+            set: self.name(),
+            asked,
+        }
     }
 
     /// The value of an integer parameter, or `None` if it is left open.
@@ -135,6 +189,12 @@ impl Spec {
             Value::Number(value) => Some(*value),
             _ => None,
         }
+    }
+
+    /// The value of a number parameter that has a number as its default.
+    pub(crate) fn number(&self, parameter: &'static str) -> f64 {
+        self.open_number(parameter)
+            .expect("declared as a number with a number as its default")
     }
 
     /// The value of a word parameter.
@@ -160,6 +220,24 @@ impl Spec {
             .next()
             .expect("a set asks only for its own parameters");
         value
+    }
+}
+
+/// Points of the plane or of space, for sets made of other sets.
+pub(crate) trait Made: Copy {
+    /// Makes `n` points of `spec` of this dimension.
+    fn made(spec: &Spec, n: usize, seed: u64) -> Result<Vec<Self>, SpecError>;
+}
+
+impl Made for [f64; 2] {
+    fn made(spec: &Spec, n: usize, seed: u64) -> Result<Vec<Self>, SpecError> {
+        spec.generate(n, seed)
+    }
+}
+
+impl Made for [f64; 3] {
+    fn made(spec: &Spec, n: usize, seed: u64) -> Result<Vec<Self>, SpecError> {
+        spec.generate3(n, seed)
     }
 }
 

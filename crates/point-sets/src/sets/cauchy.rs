@@ -14,7 +14,7 @@
 //! Cauchy coordinates do not. The distance r has P(r > t) = 1/sqrt(1 + t²). As n grows the expected number of
 //! extreme points tends to π²/2.
 
-use crate::catalogue::Entry;
+use crate::catalogue::{Entry, Generate};
 use crate::draw::Draw;
 
 pub(crate) const ENTRY: Entry = Entry {
@@ -22,10 +22,10 @@ pub(crate) const ENTRY: Entry = Entry {
     summary: "bivariate Cauchy: circular normal divided by |standard normal|",
     parameters: &[],
     source: "Green and Silverman 1979, Table 2, column Cauchy",
-    generate: |_, n, seed| {
+    generate: Generate::Plane(|_, n, seed| {
         let mut draw = Draw::new(seed);
         Ok((0..n).map(|_| point(&mut draw)).collect())
-    },
+    }),
 };
 
 /// Drawn again in the (never yet seen) case of a divisor so small that a quotient overflows.

@@ -11,7 +11,7 @@
 //! Nearly every point is extreme: the worst case of methods whose cost grows with the hull. Coordinates are
 //! rounded, so the points lie next to the circle; of a million, about a dozen are not extreme, which is right.
 
-use crate::catalogue::{Entry, Kind, Parameter};
+use crate::catalogue::{Entry, Generate, Kind, Parameter};
 use crate::draw::Draw;
 use std::f64::consts::TAU;
 
@@ -25,7 +25,7 @@ pub(crate) const ENTRY: Entry = Entry {
         kind: Kind::Word(&["random", "equal"]),
     }],
     source: "the classical worst case of gift wrapping (h = n)",
-    generate: |spec, n, seed| {
+    generate: Generate::Plane(|spec, n, seed| {
         Ok(match spec.word("spacing") {
             "equal" => (0..n)
                 .map(|index| at_turn(index as f64 / n as f64))
@@ -35,10 +35,11 @@ pub(crate) const ENTRY: Entry = Entry {
                 (0..n).map(|_| random_direction(&mut draw)).collect()
             }
         })
-    },
+    }),
 };
 
-fn at_turn(turn: f64) -> [f64; 2] {
+/// The point of the unit circle at this fraction of a turn from (1, 0), rounded.
+pub(crate) fn at_turn(turn: f64) -> [f64; 2] {
     let (sine, cosine) = libm::sincos(TAU * turn);
     [cosine, sine]
 }

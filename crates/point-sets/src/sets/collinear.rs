@@ -9,7 +9,7 @@
 //!
 //! The hull is a segment. Random order, because methods that sort by x see nothing special in sorted input.
 
-use crate::catalogue::{Entry, Kind, Parameter};
+use crate::catalogue::{Entry, Generate, Kind, Parameter};
 use crate::draw::Draw;
 use crate::error::SpecError;
 use crate::spec::Spec;
@@ -22,7 +22,7 @@ pub(crate) const ENTRY: Entry = Entry {
         step("dy", "1", "y of the step from point to point"),
     ],
     source: "a standard degenerate case",
-    generate,
+    generate: Generate::Plane(generate),
 };
 
 /// Steps up to 2²⁰ times fewer than 2³² points stay below 2⁵³, so every coordinate is exact.

@@ -9,7 +9,7 @@
 //!        ' - . - '
 //! ```
 
-use crate::catalogue::Entry;
+use crate::catalogue::{Entry, Generate};
 use crate::draw::Draw;
 
 pub(crate) const ENTRY: Entry = Entry {
@@ -17,8 +17,8 @@ pub(crate) const ENTRY: Entry = Entry {
     summary: "uniform on the unit disc",
     parameters: &[],
     source: "Green and Silverman 1979, Table 2, column Uniform",
-    generate: |_, n, seed| {
+    generate: Generate::Plane(|_, n, seed| {
         let mut draw = Draw::new(seed);
         Ok((0..n).map(|_| draw.in_disc().0).collect())
-    },
+    }),
 };

@@ -6,7 +6,9 @@
 //!
 //! Of equal points the smallest index stands for all, so the hull names only the first m points.
 
-use crate::catalogue::{Entry, Kind, Parameter};
+use crate::catalogue::{Entry, Generate, Kind, Parameter};
+use crate::error::SpecError;
+use crate::spec::{Made, Spec};
 
 pub(crate) const ENTRY: Entry = Entry {
     name: "duplicated",
@@ -29,14 +31,16 @@ pub(crate) const ENTRY: Entry = Entry {
         },
     ],
     source: "a standard degenerate case",
-    generate: |spec, n, seed| {
-        let copies = spec.integer("copies") as usize;
-        let mut points = spec.set("of").generate(n.div_ceil(copies), seed)?;
-        let distinct = points.len();
-        points.reserve_exact(n - distinct);
-        for index in distinct..n {
-            points.push(points[index - distinct]);
-        }
-        Ok(points)
-    },
+    generate: Generate::Either(generate, generate),
 };
+
+fn generate<P: Made>(spec: &Spec, n: usize, seed: u64) -> Result<Vec<P>, SpecError> {
+    let copies = spec.integer("copies") as usize;
+    let mut points = P::made(spec.set("of"), n.div_ceil(copies), seed)?;
+    let distinct = points.len();
+    points.reserve_exact(n - distinct);
+    for index in distinct..n {
+        points.push(points[index - distinct]);
+    }
+    Ok(points)
+}

@@ -20,7 +20,7 @@
 //! begin near the largest double; after [`LIMIT`] points it would leave the normal doubles. Exact kernels see
 //! the pattern to the end; plain double arithmetic loses it earlier, where products of coordinates underflow.
 
-use crate::catalogue::Entry;
+use crate::catalogue::{Entry, Generate};
 use crate::error::SpecError;
 
 pub(crate) const ENTRY: Entry = Entry {
@@ -28,7 +28,7 @@ pub(crate) const ENTRY: Entry = Entry {
     summary: "a geometric sequence on a parabola: quickhull cuts off one point a level",
     parameters: &[],
     source: "the quadratic case of quickhull, y stretched so that a longer sequence fits in doubles",
-    generate: |spec, n, _| {
+    generate: Generate::Plane(|spec, n, _| {
         if n > LIMIT {
             return Err(SpecError::TooMany {
                 set: spec.name(),
@@ -43,7 +43,7 @@ pub(crate) const ENTRY: Entry = Entry {
             .take(n)
             .map(|x: f64| [x, -(x * STRETCH * x)])
             .collect())
-    },
+    }),
 };
 
 /// Just below the root 0.56984... of a⁴ + a² + a = 1.
@@ -62,11 +62,11 @@ mod tests {
     #[test]
     fn the_limit_is_where_normal_doubles_end() {
         assert_eq!(STRETCH, 2.0_f64.powi(1013));
-        let spec = "killer".parse().unwrap();
-        let points = (ENTRY.generate)(&spec, LIMIT, 0).unwrap();
+        let spec: crate::Spec = "killer".parse().unwrap();
+        let points = spec.generate(LIMIT, 0).unwrap();
         let [x, y] = points[LIMIT - 1];
         assert!(x.is_normal() && y.is_normal());
         assert!(!(y * (RATIO * RATIO)).is_normal());
-        assert!((ENTRY.generate)(&spec, LIMIT + 1, 0).is_err());
+        assert!(spec.generate(LIMIT + 1, 0).is_err());
     }
 }

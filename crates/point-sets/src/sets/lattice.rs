@@ -10,7 +10,7 @@
 //! Full of equal coordinates, collinear points and equal distances. Four points are extreme; on the boundary
 //! of `cols` by `rows` lie 2(cols + rows) - 4.
 
-use crate::catalogue::{Entry, Kind, Parameter};
+use crate::catalogue::{Entry, Generate, Kind, Parameter};
 use crate::error::SpecError;
 use crate::spec::Spec;
 
@@ -19,13 +19,13 @@ pub(crate) const ENTRY: Entry = Entry {
     summary: "a square lattice of exact integers, row by row",
     parameters: &[COLS, ROWS],
     source: "a standard degenerate case; the lattice of Green and Silverman is `oblique`",
-    generate: |spec, n, _| {
+    generate: Generate::Plane(|spec, n, _| {
         let grid = Grid::of(spec, n)?;
         Ok(grid
             .cells()
             .map(|(col, row)| [col as f64, row as f64])
             .collect())
-    },
+    }),
 };
 
 pub(crate) const COLS: Parameter = Parameter {

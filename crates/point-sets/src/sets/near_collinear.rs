@@ -11,7 +11,7 @@
 //! No tolerance tells these points from collinear ones, and an orientation computed by rounded arithmetic is
 //! often wrong: the neighbourhood pictured by Kettner and others, with many points in it.
 
-use crate::catalogue::{Entry, Kind, Parameter};
+use crate::catalogue::{Entry, Generate, Kind, Parameter};
 use crate::draw::Draw;
 
 pub(crate) const ENTRY: Entry = Entry {
@@ -25,7 +25,7 @@ pub(crate) const ENTRY: Entry = Entry {
     }],
     source: "after Kettner, Mehlhorn, Pion, Schirra and Yap 2008, Classroom examples of robustness problems \
              in geometric computations, Computational Geometry 40, 61-78",
-    generate: |spec, n, seed| {
+    generate: Generate::Plane(|spec, n, seed| {
         let choices = spec.integer("ulps") as u64 + 1;
         let mut draw = Draw::new(seed);
         let points = (0..n).map(|_| {
@@ -33,9 +33,10 @@ pub(crate) const ENTRY: Entry = Entry {
             [(); 2].map(|()| moved_up(t, draw.below(choices)))
         });
         Ok(points.collect())
-    },
+    }),
 };
 
-fn moved_up(value: f64, ulps: u64) -> f64 {
+/// The double so many units in the last place above `value`.
+pub(crate) fn moved_up(value: f64, ulps: u64) -> f64 {
     (0..ulps).fold(value, |value, _| value.next_up())
 }

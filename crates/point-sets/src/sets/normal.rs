@@ -8,7 +8,7 @@
 //!      ·     ·   ·
 //! ```
 
-use crate::catalogue::Entry;
+use crate::catalogue::{Entry, Generate};
 use crate::draw::Draw;
 
 pub(crate) const ENTRY: Entry = Entry {
@@ -16,8 +16,8 @@ pub(crate) const ENTRY: Entry = Entry {
     summary: "circular normal: two independent standard normal coordinates",
     parameters: &[],
     source: "Green and Silverman 1979, Table 2, column Normal",
-    generate: |_, n, seed| {
+    generate: Generate::Plane(|_, n, seed| {
         let mut draw = Draw::new(seed);
         Ok((0..n).map(|_| [draw.normal(), draw.normal()]).collect())
-    },
+    }),
 };

@@ -13,7 +13,7 @@
 //! square lattice; for 10 by 10 under Green and Silverman's convention 36, 28, 20, 12 and 4 points.
 
 use super::lattice::{COLS, Grid, ROWS};
-use crate::catalogue::{Entry, Kind, Parameter};
+use crate::catalogue::{Entry, Generate, Kind, Parameter};
 use crate::error::SpecError;
 use crate::spec::Spec;
 
@@ -29,7 +29,7 @@ pub(crate) const ENTRY: Entry = Entry {
         basis("by", "2", "y of the step from row to row"),
     ],
     source: "Green and Silverman 1979, Fig. 2 (the paper prints no coordinates; the basis is ours)",
-    generate,
+    generate: Generate::Plane(generate),
 };
 
 /// Steps below 2²⁰ times at most 2³² columns and rows stay below 2⁵³, so every coordinate is exact.

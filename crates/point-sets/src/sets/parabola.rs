@@ -11,7 +11,7 @@
 //! The reduction that shows that a hull is as hard as sorting. Use `shuffled:of=parabola` to take the order
 //! away.
 
-use crate::catalogue::Entry;
+use crate::catalogue::{Entry, Generate};
 use crate::error::SpecError;
 
 pub(crate) const ENTRY: Entry = Entry {
@@ -19,7 +19,7 @@ pub(crate) const ENTRY: Entry = Entry {
     summary: "on a parabola, exact integers from left to right: all extreme",
     parameters: &[],
     source: "the reduction from sorting (Shamos 1978, Computational Geometry, thesis, Yale University)",
-    generate: |spec, n, _| {
+    generate: Generate::Plane(|spec, n, _| {
         if n > LIMIT {
             return Err(SpecError::TooMany {
                 set: spec.name(),
@@ -29,7 +29,7 @@ pub(crate) const ENTRY: Entry = Entry {
             });
         }
         Ok((0..n).map(|i| i as f64).map(|x| [x, x * x]).collect())
-    },
+    }),
 };
 
 /// 94,906,265² is the largest square up to 2⁵³.

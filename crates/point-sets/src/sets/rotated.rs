@@ -13,7 +13,7 @@
 
 use super::lattice::{COLS, Grid, ROWS};
 use super::rounded::{DECIMALS, to_decimals};
-use crate::catalogue::{Entry, Kind, Parameter};
+use crate::catalogue::{Entry, Generate, Kind, Parameter};
 use crate::draw::Draw;
 use crate::error::SpecError;
 use crate::spec::Spec;
@@ -38,7 +38,7 @@ pub(crate) const ENTRY: Entry = Entry {
         },
     ],
     source: "after Green and Silverman 1979, Table 1, lattice data",
-    generate,
+    generate: Generate::Plane(generate),
 };
 
 fn generate(spec: &Spec, n: usize, seed: u64) -> Result<Vec<[f64; 2]>, SpecError> {

@@ -8,7 +8,9 @@
 //!
 //! What writing measurements down does to them.
 
-use crate::catalogue::{Entry, Kind, Parameter};
+use crate::catalogue::{Entry, Generate, Kind, Parameter};
+use crate::error::SpecError;
+use crate::spec::{Made, Spec};
 
 pub(crate) const ENTRY: Entry = Entry {
     name: "rounded",
@@ -23,15 +25,20 @@ pub(crate) const ENTRY: Entry = Entry {
         DECIMALS,
     ],
     source: "how measured data is printed",
-    generate: |spec, n, seed| {
-        let decimals = spec.integer("decimals");
-        let mut points = spec.set("of").generate(n, seed)?;
-        for point in &mut points {
-            *point = to_decimals(*point, decimals);
-        }
-        Ok(points)
-    },
+    generate: Generate::Either(generate, generate),
 };
+
+fn generate<const D: usize>(spec: &Spec, n: usize, seed: u64) -> Result<Vec<[f64; D]>, SpecError>
+where
+    [f64; D]: Made,
+{
+    let decimals = spec.integer("decimals");
+    let mut points = Made::made(spec.set("of"), n, seed)?;
+    for point in &mut points {
+        *point = to_decimals(*point, decimals);
+    }
+    Ok(points)
+}
 
 pub(crate) const DECIMALS: Parameter = Parameter {
     name: "decimals",
@@ -41,7 +48,7 @@ pub(crate) const DECIMALS: Parameter = Parameter {
 };
 
 /// The doubles nearest to the coordinates' exact values written with so many decimals.
-pub(crate) fn to_decimals(point: [f64; 2], decimals: i64) -> [f64; 2] {
+pub(crate) fn to_decimals<const D: usize>(point: [f64; D], decimals: i64) -> [f64; D] {
     // Printing and reading are both correctly rounded. Adding zero turns -0 into 0.
     point.map(|coordinate| {
         let printed = format!("{coordinate:.*}", decimals as usize);

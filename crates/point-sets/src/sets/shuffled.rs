@@ -6,9 +6,11 @@
 //!
 //! Lattices, parabolas and nested triangles come in an order that some methods profit or suffer from.
 
-use crate::catalogue::{Entry, Kind, Parameter};
+use crate::catalogue::{Entry, Generate, Kind, Parameter};
 use crate::draw::Draw;
+use crate::error::SpecError;
 use crate::seed::subseed;
+use crate::spec::{Made, Spec};
 
 pub(crate) const ENTRY: Entry = Entry {
     name: "shuffled",
@@ -20,9 +22,11 @@ pub(crate) const ENTRY: Entry = Entry {
         kind: Kind::Set,
     }],
     source: "to separate what a method does from the order of its input",
-    generate: |spec, n, seed| {
-        let mut points = spec.set("of").generate(n, seed)?;
-        Draw::new(subseed(seed, "shuffled")).shuffle(&mut points);
-        Ok(points)
-    },
+    generate: Generate::Either(generate, generate),
 };
+
+fn generate<P: Made>(spec: &Spec, n: usize, seed: u64) -> Result<Vec<P>, SpecError> {
+    let mut points = P::made(spec.set("of"), n, seed)?;
+    Draw::new(subseed(seed, "shuffled")).shuffle(&mut points);
+    Ok(points)
+}

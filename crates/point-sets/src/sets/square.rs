@@ -9,7 +9,7 @@
 //!      0           1
 //! ```
 
-use crate::catalogue::Entry;
+use crate::catalogue::{Entry, Generate};
 use crate::draw::Draw;
 
 pub(crate) const ENTRY: Entry = Entry {
@@ -17,8 +17,8 @@ pub(crate) const ENTRY: Entry = Entry {
     summary: "uniform on the unit square",
     parameters: &[],
     source: "Green and Silverman 1979, Fig. 1 and Table 1, random data",
-    generate: |_, n, seed| {
+    generate: Generate::Plane(|_, n, seed| {
         let mut draw = Draw::new(seed);
         Ok((0..n).map(|_| [draw.unit(), draw.unit()]).collect())
-    },
+    }),
 };
