@@ -31,9 +31,9 @@ mod topics;
 mod verdicts;
 
 use crate::failure::Failure;
+use crate::output::target::to_stdout;
 use anyhow::Result;
 use definition::{Definition, PAPER};
-use progress::say;
 use provenance::Provenance;
 use published::Published;
 use records::Records;
@@ -84,8 +84,13 @@ pub fn run(args: &Args) -> Result<()> {
     let records = experiment(&definition, &topics)?;
     provenance.finish(started.elapsed().as_secs());
     let folder = Folder::open(folder(args), provenance)?;
-    report(&folder, &definition, &topics, &records, &published)?;
-    say(&format!("{}", folder.path().join("REPORT.md").display()));
+    let verdicts = report(&folder, &definition, &topics, &records, &published)?;
+    to_stdout(|out| {
+        for verdict in &verdicts {
+            writeln!(out, "{}: {}", verdict.id, verdict.outcome)?;
+        }
+        writeln!(out, "{}", folder.path().join("REPORT.md").display())
+    })?;
     match records.failures.len() {
         0 => Ok(()),
         count => Err(Failure::Verification(format!(
@@ -144,14 +149,14 @@ fn experiment(definition: &Definition, topics: &[Topic]) -> Result<Records> {
     Ok(records)
 }
 
-/// Writes everything that `topics` ask for, and the records.
+/// Writes everything that `topics` ask for, and the records. Returns the verdicts.
 fn report(
     folder: &Folder,
     definition: &Definition,
     topics: &[Topic],
     records: &Records,
     published: &Published,
-) -> Result<()> {
+) -> Result<Vec<Verdict>> {
     for topic in topics {
         match topic {
             Topic::Table1 => render::table1::write(folder, records, published)?,
@@ -205,7 +210,8 @@ fn report(
         &verdicts,
         &predictions,
         published,
-    )
+    )?;
+    Ok(verdicts)
 }
 
 /// The verdicts on the claims among `topics`, and the predictions if there are any.
@@ -222,4 +228,54 @@ fn judge<'a>(
         })
         .collect();
     (verdicts, verdicts::predictions::check(records, published))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_of_a_report_says_where_it_comes_from() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let args = Args {
+            ids: ["figure1", "figure2", "gs-8"].map(str::to_owned).to_vec(),
+            quick: true,
+            out: Some(folder.path().to_owned()),
+            seed: Some(3),
+        };
+        run(&args).expect("a report");
+        let mut names = Vec::new();
+        for entry in std::fs::read_dir(folder.path()).expect("a folder") {
+            let path = entry.expect("a file").path();
+            let text = std::fs::read_to_string(&path).expect("text");
+            let head: String = text.lines().take(20).collect();
+            for needed in [
+                "command: hullbench reproduce figure1",
+                "seed: 3",
+                "commit: ",
+                "machine: ",
+                "date: ",
+            ] {
+                assert!(head.contains(needed), "{}: {needed}", path.display());
+            }
+            names.extend(
+                path.file_name()
+                    .map(|name| name.to_string_lossy().into_owned()),
+            );
+        }
+        names.sort();
+        let expected = [
+            "REPORT.md",
+            "claims.csv",
+            "claims.md",
+            "figure1.csv",
+            "figure1.svg",
+            "figure2.csv",
+            "figure2.svg",
+            "records-rings.csv",
+        ];
+        assert_eq!(names, expected);
+        let report = std::fs::read_to_string(folder.path().join("REPORT.md")).expect("text");
+        assert!(report.contains("**CONFIRMED**"));
+    }
 }

@@ -1,7 +1,7 @@
 //! What the experiments leave behind: plain rows, one CSV file a kind. Tables, figures and verdicts are
 //! computed from these alone.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// Everything recorded in one run.
 #[derive(Clone, Debug, Default)]
@@ -25,7 +25,7 @@ pub(crate) struct Records {
 }
 
 /// A point set that was used.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
 pub(crate) struct SetRow {
     /// "counts", "times" or "peels".
     pub(crate) stage: String,
@@ -43,7 +43,7 @@ pub(crate) struct SetRow {
 }
 
 /// How many replicates of a cell have a hull of so many vertices.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
 pub(crate) struct SizeRow {
     pub(crate) distribution: String,
     pub(crate) n: usize,
@@ -54,7 +54,7 @@ pub(crate) struct SizeRow {
 }
 
 /// What one method asked for on one set. Exact integers, equal on every machine.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub(crate) struct CountRow {
     pub(crate) distribution: String,
     pub(crate) n: usize,
@@ -86,7 +86,7 @@ impl CountRow {
 }
 
 /// One time sample: `calls` calls in a row on the sets of one batch.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
 pub(crate) struct TimeRow {
     pub(crate) distribution: String,
     pub(crate) n: usize,
@@ -106,7 +106,7 @@ impl TimeRow {
 }
 
 /// One complete peeling of one set by Green and Silverman's method with exact answers, certified.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub(crate) struct PeelRow {
     pub(crate) distribution: String,
     pub(crate) n: usize,
@@ -124,7 +124,7 @@ pub(crate) struct PeelRow {
 }
 
 /// The sweep of the tolerance over one set in one format.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
 pub(crate) struct ToleranceRow {
     /// "random"; "lattice", turned about the origin; "lattice-fitted", turned and fitted into the unit square;
     /// "lattice-eddy", the first hull of a turned lattice by Eddy's method.
@@ -139,7 +139,7 @@ pub(crate) struct ToleranceRow {
 }
 
 /// The rings of a lattice, peeled with exact answers.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
 pub(crate) struct RingRow {
     pub(crate) distribution: String,
     pub(crate) n: usize,
@@ -152,7 +152,7 @@ pub(crate) struct RingRow {
 }
 
 /// A result that was not certified, and therefore neither counted nor timed.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
 pub(crate) struct FailureRow {
     pub(crate) stage: String,
     pub(crate) distribution: String,

@@ -21,6 +21,7 @@ pub(super) fn judge(records: &Records, published: &Published) -> Verdict {
         all_of([parts[0].outcome, parts[1].outcome]),
     );
     let mut notes = by_distribution(records, published);
+    notes.extend(areas(records));
     if let Some(method) = hullkit::method("eddy") {
         notes.extend(
             method
@@ -158,6 +159,21 @@ fn sign(interval: (f64, f64)) -> Outcome {
         (_, high) if high < 0.0 => Outcome::Refuted,
         _ => Outcome::NotDistinguishable,
     }
+}
+
+/// E and GS in area evaluations alone: whether they ask about the same triangles.
+fn areas(records: &Records) -> Option<String> {
+    let ratio = |(distribution, n)| {
+        let ratio = count_ratio(records, (distribution, n), "eddy", "gs", |row| {
+            row.orientations
+        })?;
+        Some(format!("{distribution} {n} {:.4}", ratio.ratio()))
+    };
+    let ratios: Option<Vec<String>> = cells().map(ratio).collect();
+    Some(format!(
+        "E/GS in area evaluations alone: {}",
+        ratios?.join(", ")
+    ))
 }
 
 /// How E/GS changes with n on each distribution, beside the paper's own figures.
