@@ -39,7 +39,6 @@
 use crate::search::{Arrival, Search, arrive};
 use geometry_core::hull2::sort_distinct;
 use geometry_core::{Boundary, Hull2, HullError, Kernel2, Observer, Points, Step};
-use std::cmp::Ordering;
 
 /// Where this file departs from the source, and why.
 pub const DEPARTURES: &[&str] = &[
