@@ -26,7 +26,7 @@
 //! | `sets` | one file a set, each with a sketch |
 //! | [`fingerprint`](mod@fingerprint) | [`Fingerprint`]: SHA-256 of the coordinates' bits |
 //! | [`seed`] | [`cell_seed`]: the seed of one cell of an experiment |
-//! | [`mod@file`] | planar points in text files, in and out |
+//! | [`mod@file`] | points in text files, in and out |
 //!
 //! A new set is one file in `sets` and one line in the catalogue.
 

@@ -277,8 +277,8 @@ fn every_error_has_its_place_and_its_remedy() {
         (
             b"a,1,b\n",
             columns("1", "2"),
-            "1:1: \"a,1,b\" may be a header or a point, since one of the chosen fields is a number and the \
-             other is not; say which, or correct it",
+            "1:1: \"a,1,b\" may be a header or a point, since one of the chosen fields is a number and \
+             another is not; say which, or correct it",
         ),
         (
             b"east,west\n1,2\n",
@@ -306,7 +306,7 @@ fn every_error_has_its_place_and_its_remedy() {
         (
             b"a,b\nc,d\n",
             plain.clone(),
-            "2:1: \"c,d\" has 0 numeric of 2 fields, and a point needs two; choose the columns, or the \
+            "2:1: \"c,d\" has 0 numeric of 2 fields, and a point needs 2; choose the columns, or the \
              separator (now \",\")",
         ),
         (

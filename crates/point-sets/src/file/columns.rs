@@ -1,4 +1,4 @@
-//! Which columns of a file hold x and y, and whether it begins with a header.
+//! Which columns of a file hold the coordinates, and whether it begins with a header.
 
 use super::error::{Problem, shortened};
 use super::records::{Failure, Record};
@@ -9,7 +9,7 @@ use std::str::FromStr;
 /// Whether the first record is a header.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Header {
-    /// Find out: a record without a number is a header, and so is one that names a pair of coordinates.
+    /// Find out: a record without a number is a header, and so is one that names a pair or a triple of coordinates.
     #[default]
     Auto,
     /// It is.
@@ -58,19 +58,29 @@ impl fmt::Display for TakenColumn {
     }
 }
 
-/// Names of pairs of coordinates, x before y, in lower case.
-const PAIRS: &[(&[&str], &[&str])] = &[
-    (&["x"], &["y"]),
-    (&["x0"], &["y0"]),
-    (&["x1"], &["y1"]),
-    (&["lon", "long", "lng", "longitude"], &["lat", "latitude"]),
-    (
-        &["easting", "eastings", "east"],
-        &["northing", "northings", "north"],
-    ),
-    (&["x0"], &["x1"]),
-    (&["x1"], &["x2"]),
+/// The spellings of one coordinate.
+type Spellings = &'static [&'static str];
+
+/// Names of coordinates that belong together, in order and in lower case. Longitude and latitude are angles, so no
+/// height makes them a triple.
+const TUPLES: &[&[Spellings]] = &[
+    &[&["x"], &["y"], &["z"]],
+    &[&["x0"], &["y0"], &["z0"]],
+    &[&["x1"], &["y1"], &["z1"]],
+    &[EAST, NORTH, &["height", "elevation", "altitude", "up", "z"]],
+    &[&["x0"], &["x1"], &["x2"]],
+    &[&["x1"], &["x2"], &["x3"]],
+    &[&["x"], &["y"]],
+    &[&["x0"], &["y0"]],
+    &[&["x1"], &["y1"]],
+    &[&["lon", "long", "lng", "longitude"], &["lat", "latitude"]],
+    &[EAST, NORTH],
+    &[&["x0"], &["x1"]],
+    &[&["x1"], &["x2"]],
 ];
+
+const EAST: Spellings = &["easting", "eastings", "east"];
+const NORTH: Spellings = &["northing", "northings", "north"];
 
 /// What a field of the first record looks like.
 #[derive(Clone, Copy, PartialEq)]
@@ -94,10 +104,10 @@ fn look(value: &str) -> Look {
 }
 
 /// Whether `first` is a header.
-pub(super) fn is_header(
+pub(super) fn is_header<const D: usize>(
     first: Record<'_>,
     header: Header,
-    asked: Option<&[Column; 2]>,
+    asked: Option<&[Column; D]>,
 ) -> Result<bool, Failure> {
     match header {
         Header::Present => return Ok(true),
@@ -105,15 +115,15 @@ pub(super) fn is_header(
         Header::Auto => {}
     }
     let by_name = |column: &Column| matches!(column, Column::Name(_));
-    if asked.is_some_and(|asked| asked.iter().any(by_name)) || known_pair(&first.names()).is_some()
+    if asked.is_some_and(|asked| asked.iter().any(by_name)) || known::<2>(&first.names()).is_some()
     {
         return Ok(true);
     }
     let mut judged: Vec<usize> = (0..first.len()).collect();
     let mut reason = "one of its fields is a number";
     if let Some(asked) = asked {
-        judged = resolve_both(asked, first, &[])?.to_vec();
-        reason = "one of the chosen fields is a number and the other is not";
+        judged = resolve_all(asked, first, &[])?.to_vec();
+        reason = "one of the chosen fields is a number and another is not";
     }
     let words = judged
         .iter()
@@ -122,7 +132,7 @@ pub(super) fn is_header(
     match (words, judged.len() - words) {
         (_, 0) => Ok(true),
         (0, _) => Ok(false),
-        (_, numbers) if numbers >= 2 => Ok(false),
+        (_, numbers) if numbers >= D => Ok(false),
         _ => {
             let text = shortened(first.text, 60);
             Err((Some(first.place(0)), Problem::Ambiguous { text, reason }))
@@ -130,18 +140,18 @@ pub(super) fn is_header(
     }
 }
 
-/// The indices, from 0, of the columns to take: those asked for, else those the header names as a pair of
-/// coordinates, else the first two in which `sample`, the first record of data, has numbers.
-pub(super) fn choose(
-    asked: Option<&[Column; 2]>,
+/// The indices, from 0, of the columns to take: those asked for, else those the header names as coordinates that
+/// belong together, else the first D in which `sample`, the first record of data, has numbers.
+pub(super) fn choose<const D: usize>(
+    asked: Option<&[Column; D]>,
     names: &[String],
     sample: Record<'_>,
-) -> Result<[usize; 2], Failure> {
+) -> Result<[usize; D], Failure> {
     if let Some(asked) = asked {
-        return resolve_both(asked, sample, names);
+        return resolve_all(asked, sample, names);
     }
-    if let Some(pair) = known_pair(names) {
-        return Ok(pair);
+    if let Some(known) = known(names) {
+        return Ok(known);
     }
     let looks: Vec<Look> = (0..sample.len())
         .map(|index| look(sample.value(index)))
@@ -153,28 +163,50 @@ pub(super) fn choose(
     };
     let numeric = having(&[Look::Number]);
     // What begins like a number is taken for one where numbers are short, so that the error is about it.
-    match (&numeric[..], &having(&[Look::Number, Look::Almost])[..]) {
-        (&[x, y, ..], _) | (_, &[x, y, ..]) => Ok([x, y]),
-        _ => Err((Some(sample.place(0)), too_few(sample, numeric.len()))),
+    let almost = having(&[Look::Number, Look::Almost]);
+    match (numeric.first_chunk(), almost.first_chunk()) {
+        (Some(taken), _) | (None, Some(taken)) => Ok(*taken),
+        _ => Err((Some(sample.place(0)), too_few(sample, numeric.len(), D))),
     }
 }
 
-fn too_few(record: Record<'_>, numeric: usize) -> Problem {
+/// How many coordinates a point seems to have, 2 or 3: as many as the header names, else as many fields as are
+/// numbers in `sample`, the first record of data; `None` if there are more.
+pub(super) fn dimension(names: &[String], sample: Record<'_>) -> Option<usize> {
+    if known::<3>(names).is_some() {
+        return Some(3);
+    }
+    if known::<2>(names).is_some() {
+        return Some(2);
+    }
+    let is_number = |&index: &usize| look(sample.value(index)) == Look::Number;
+    match (0..sample.len()).filter(is_number).count() {
+        0..=2 => Some(2),
+        3 => Some(3),
+        _ => None,
+    }
+}
+
+fn too_few(record: Record<'_>, numeric: usize, needed: usize) -> Problem {
     Problem::TooFewColumns {
         text: shortened(record.text, 60),
         numeric,
+        needed,
         count: record.len(),
         delimiter: record.delimiter.name(),
     }
 }
 
-fn resolve_both(
-    asked: &[Column; 2],
+fn resolve_all<const D: usize>(
+    asked: &[Column; D],
     record: Record<'_>,
     names: &[String],
-) -> Result<[usize; 2], Failure> {
-    let [x, y] = asked;
-    Ok([resolve(x, record, names)?, resolve(y, record, names)?])
+) -> Result<[usize; D], Failure> {
+    let mut indices = [0; D];
+    for (index, column) in indices.iter_mut().zip(asked) {
+        *index = resolve(column, record, names)?;
+    }
+    Ok(indices)
 }
 
 fn resolve(column: &Column, record: Record<'_>, names: &[String]) -> Result<usize, Failure> {
@@ -209,8 +241,8 @@ fn position(names: &[String], name: &str) -> Option<usize> {
     })
 }
 
-/// The first of [`PAIRS`] of which both are among `names`, capital letters and units in brackets aside.
-fn known_pair(names: &[String]) -> Option<[usize; 2]> {
+/// The first D of [`TUPLES`] that are all among `names`, capital letters and units in brackets aside.
+fn known<const D: usize>(names: &[String]) -> Option<[usize; D]> {
     let plain: Vec<String> = names
         .iter()
         .map(|name| {
@@ -221,10 +253,13 @@ fn known_pair(names: &[String]) -> Option<[usize; 2]> {
                 .to_lowercase()
         })
         .collect();
-    let find = |spellings: &[&str]| {
+    let find = |spellings: &Spellings| {
         plain
             .iter()
             .position(|name| spellings.contains(&name.as_str()))
     };
-    PAIRS.iter().find_map(|(x, y)| Some([find(x)?, find(y)?]))
+    TUPLES.iter().find_map(|tuple| {
+        let found: Option<Vec<usize>> = tuple.iter().map(find).collect();
+        found?.try_into().ok()
+    })
 }

@@ -42,10 +42,12 @@ pub enum Problem {
     #[error("cannot be read on: {0}")]
     Read(std::io::Error),
     /// There is no point.
-    #[error("no points: {found}; give one point a line, such as 1.5,2.25")]
+    #[error("no points: {found}; give one point a line, such as {example}")]
     Empty {
         /// What there is instead.
         found: &'static str,
+        /// A point as it may be written.
+        example: &'static str,
     },
     /// A byte is not part of UTF-8 text.
     #[error("byte 0x{byte:02x} is not UTF-8 text; save the file as UTF-8, without compression")]
@@ -116,9 +118,9 @@ pub enum Problem {
         /// What separates fields.
         delimiter: &'static str,
     },
-    /// Fewer than two columns hold numbers, so x and y cannot be chosen.
+    /// Fewer columns hold numbers than a point has coordinates.
     #[error(
-        "{text:?} has {numeric} numeric of {}, and a point needs two; choose the columns, or the separator \
+        "{text:?} has {numeric} numeric of {}, and a point needs {needed}; choose the columns, or the separator \
          (now {delimiter:?})",
         fields(*.count)
     )]
@@ -127,6 +129,8 @@ pub enum Problem {
         text: String,
         /// Columns that hold numbers.
         numeric: usize,
+        /// Coordinates of a point.
+        needed: usize,
         /// Columns in all.
         count: usize,
         /// What separates fields.

@@ -1,4 +1,4 @@
-//! Reading planar points from a text file.
+//! Reading points of the plane or of space from a text file.
 
 use super::columns::{self, Column, Header, TakenColumn};
 use super::delimiter::Delimiter;
@@ -12,36 +12,36 @@ use std::path::Path;
 ///
 /// ```
 /// use point_sets::file::{Header, ReadOptions};
-/// let options = ReadOptions { header: Header::Absent, ..ReadOptions::default() };
+/// let options: ReadOptions = ReadOptions { header: Header::Absent, ..ReadOptions::default() };
 /// assert_eq!(options.columns, None);
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct ReadOptions {
+pub struct ReadOptions<const D: usize = 2> {
     /// What separates fields; `None`: what the first record shows.
     pub delimiter: Option<Delimiter>,
     /// Whether the first record is a header.
     pub header: Header,
-    /// The columns of x and y; `None`: those whose names are a pair of coordinates, such as x and y or lon
-    /// and lat, else the first two that hold numbers in the first record of data.
-    pub columns: Option<[Column; 2]>,
+    /// The columns of the D coordinates; `None`: those whose names are coordinates that belong together, such as x
+    /// and y, else the first D that hold numbers in the first record of data.
+    pub columns: Option<[Column; D]>,
 }
 
 /// The points of a file, and how it was read.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PointFile {
+pub struct PointFile<const D: usize = 2> {
     /// The points, in the order of the file; at least one, all finite, at most `u32::MAX`.
-    pub points: Vec<[f64; 2]>,
+    pub points: Vec<[f64; D]>,
     /// The line of each point, from 1.
     pub rows: Vec<u64>,
-    /// The columns taken as x and y.
-    pub columns: [TakenColumn; 2],
+    /// The columns taken as coordinates.
+    pub columns: [TakenColumn; D],
     /// The names of all columns, if there is a header.
     pub header: Option<Vec<String>>,
     /// What separates fields.
     pub delimiter: Delimiter,
 }
 
-/// Reads the points of the text file `path`.
+/// Reads the points of the plane in the text file `path`.
 ///
 /// # Errors
 ///
@@ -66,13 +66,66 @@ pub struct PointFile {
 /// # std::fs::remove_file(&path)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn read2(path: &Path, options: &ReadOptions) -> Result<PointFile, FileError> {
+pub fn read2(path: &Path, options: &ReadOptions<2>) -> Result<PointFile<2>, FileError> {
+    open(path, |source| read_from(source, options, u32::MAX as usize))
+}
+
+/// Reads the points of space in the text file `path`; otherwise as [`read2`].
+///
+/// # Errors
+///
+/// As [`read2`].
+///
+/// # Cost
+///
+/// As [`read2`].
+///
+/// ```
+/// use point_sets::file::{ReadOptions, read3};
+/// let path = std::env::temp_dir().join(format!("point-sets-doc3-{}.txt", std::process::id()));
+/// std::fs::write(&path, "id z y x\n7 3 2 1\n8 6 5 4\n")?;
+/// let file = read3(&path, &ReadOptions::default())?;
+/// assert_eq!(file.points, [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+/// # std::fs::remove_file(&path)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read3(path: &Path, options: &ReadOptions<3>) -> Result<PointFile<3>, FileError> {
+    open(path, |source| read_from(source, options, u32::MAX as usize))
+}
+
+/// How many coordinates a point of the text file `path` seems to have, 2 or 3.
+///
+/// As many as the header names, such as x, y and z; else as many fields as are numbers in the first record of data;
+/// `None` if that are more than 3. Anything wrong with the file beyond its first two records is left to the reader
+/// proper.
+///
+/// # Errors
+///
+/// As [`read2`], about the first two records.
+pub fn dimension(path: &Path, options: &ReadOptions) -> Result<Option<usize>, FileError> {
+    open(path, |source| {
+        let mut records = Records::new(source, options.delimiter);
+        let Some(first) = records.next()? else {
+            return Err(empty::<2>(records.line(), NOTHING));
+        };
+        if !columns::is_header(first, options.header, None::<&[Column; 2]>)? {
+            return Ok(columns::dimension(&[], first));
+        }
+        let (names, line) = (first.names(), first.line);
+        match records.next()? {
+            Some(sample) => Ok(columns::dimension(&names, sample)),
+            None => Err(empty::<2>(line, HEADER_ALONE)),
+        }
+    })
+}
+
+/// What `read` makes of the file, its failures placed in it.
+fn open<T>(
+    path: &Path,
+    read: impl FnOnce(BufReader<File>) -> Result<T, Failure>,
+) -> Result<T, FileError> {
     let result = match File::open(path) {
-        Ok(file) => read_from(
-            BufReader::with_capacity(1 << 17, file),
-            options,
-            u32::MAX as usize,
-        ),
+        Ok(file) => read(BufReader::with_capacity(1 << 17, file)),
         Err(error) => Err((None, Problem::Open(error))),
     };
     result.map_err(|(place, problem)| FileError {
@@ -82,18 +135,18 @@ pub fn read2(path: &Path, options: &ReadOptions) -> Result<PointFile, FileError>
     })
 }
 
-fn read_from(
+const NOTHING: &str = "the file is empty, or all comments and blank lines";
+const HEADER_ALONE: &str = "there is a header and nothing else";
+
+fn read_from<const D: usize>(
     source: impl BufRead,
-    options: &ReadOptions,
+    options: &ReadOptions<D>,
     limit: usize,
-) -> Result<PointFile, Failure> {
+) -> Result<PointFile<D>, Failure> {
     let mut records = Records::new(source, options.delimiter);
     let asked = options.columns.as_ref();
     let Some(mut record) = records.next()? else {
-        return Err(empty(
-            records.line(),
-            "the file is empty, or all comments and blank lines",
-        ));
+        return Err(empty::<D>(records.line(), NOTHING));
     };
     let shape = Shape::of(record);
     let header = columns::is_header(record, options.header, asked)?.then(|| record.names());
@@ -105,11 +158,12 @@ fn read_from(
         let header_line = records.line();
         record = match records.next()? {
             Some(record) => record,
-            None => return Err(empty(header_line, "there is a header and nothing else")),
+            None => return Err(empty::<D>(header_line, HEADER_ALONE)),
         };
         shape.check(record)?;
     }
-    let indices = columns::choose(asked, header.as_deref().unwrap_or_default(), record)?;
+    let indices: [usize; D] =
+        columns::choose(asked, header.as_deref().unwrap_or_default(), record)?;
     let columns = indices.map(|index| TakenColumn {
         number: index + 1,
         name: header.as_ref().map(|names| names[index].clone()),
@@ -122,10 +176,11 @@ fn read_from(
         if points.len() == limit {
             return Err((Some(record.place(0)), Problem::TooManyPoints { limit }));
         }
-        points.push([
-            coordinate(record, indices[0], &columns[0])?,
-            coordinate(record, indices[1], &columns[1])?,
-        ]);
+        let mut point = [0.0; D];
+        for (axis, value) in point.iter_mut().enumerate() {
+            *value = coordinate(record, indices[axis], &columns[axis])?;
+        }
+        points.push(point);
         rows.push(record.line);
         record = match records.next()? {
             Some(record) => record,
@@ -228,13 +283,14 @@ fn remedy(value: &str) -> &'static str {
     }
 }
 
-fn empty(line: u64, found: &'static str) -> Failure {
+fn empty<const D: usize>(line: u64, found: &'static str) -> Failure {
     let place = super::Place {
         line: line.max(1),
         column: 1,
         field: None,
     };
-    (Some(place), Problem::Empty { found })
+    let example = if D == 2 { "1.5,2.25" } else { "1.5,2.25,3" };
+    (Some(place), Problem::Empty { found, example })
 }
 
 #[cfg(test)]
@@ -244,7 +300,7 @@ mod tests {
     #[test]
     fn points_end_where_indices_end() {
         let text = "x,y\n1,2\n3,4\n5,6\n";
-        let read = |limit| read_from(text.as_bytes(), &ReadOptions::default(), limit);
+        let read = |limit| read_from::<2>(text.as_bytes(), &ReadOptions::default(), limit);
         assert_eq!(read(3).unwrap().points.len(), 3);
         let (place, problem) = read(2).unwrap_err();
         assert_eq!(place.map(|place| (place.line, place.column)), Some((4, 1)));
@@ -261,7 +317,7 @@ mod tests {
             }
         }
         let source = BufReader::new(std::io::Read::chain(&b"1,2\n"[..], Failing));
-        let (place, problem) = read_from(source, &ReadOptions::default(), 10).unwrap_err();
+        let (place, problem) = read_from::<2>(source, &ReadOptions::default(), 10).unwrap_err();
         assert_eq!(place.map(|place| (place.line, place.column)), Some((2, 1)));
         assert_eq!(problem.to_string(), "cannot be read on: the disc is gone");
     }

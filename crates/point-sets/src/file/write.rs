@@ -1,4 +1,4 @@
-//! Writing planar points to a text file.
+//! Writing points to a text file.
 
 use std::io::{self, BufWriter, Write};
 
@@ -22,6 +22,21 @@ pub fn write_csv2(out: impl Write, points: &[[f64; 2]]) -> io::Result<()> {
     writeln!(out, "x,y")?;
     for [x, y] in points {
         writeln!(out, "{x:?},{y:?}")?;
+    }
+    out.flush()
+}
+
+/// Writes points of space under the header `x,y,z`; otherwise as [`write_csv2`], for
+/// [`read3`](crate::file::read3).
+///
+/// # Errors
+///
+/// Those of `out`.
+pub fn write_csv3(out: impl Write, points: &[[f64; 3]]) -> io::Result<()> {
+    let mut out = BufWriter::with_capacity(1 << 16, out);
+    writeln!(out, "x,y,z")?;
+    for [x, y, z] in points {
+        writeln!(out, "{x:?},{y:?},{z:?}")?;
     }
     out.flush()
 }
