@@ -14,6 +14,8 @@
 //! `f64` values themselves is comparison, which the machine does exactly.
 
 pub mod dyadic;
+pub mod ring;
+pub mod scale;
 pub mod wide;
 
 use dyadic::Dyadic;

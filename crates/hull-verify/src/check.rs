@@ -34,9 +34,11 @@
 mod finding;
 mod layers;
 mod outline;
+mod space;
 
 pub use finding::Finding;
 pub use layers::{LayersCertificate, layers};
+pub use space::{Certificate3, Finding3, Order, hull3};
 
 use crate::arithmetic::{Frame, Width};
 use geometry_core::{Boundary, Hull2, Point2};

@@ -5,6 +5,10 @@
 //! boundary point, the furthest the next corner. So the hull is read off the definition of an edge, and there is
 //! nothing to get wrong but the [arithmetic](crate::arithmetic), which is that of the checker.
 
+mod space;
+
+pub use space::hull3;
+
 use crate::arithmetic::{Frame, Turn, order};
 use geometry_core::{Boundary, Hull2, Layers, Point2};
 
