@@ -19,6 +19,7 @@ mod write;
 
 pub use columns::{Column, Header, TakenColumn};
 pub use delimiter::Delimiter;
+pub(crate) use error::shortened;
 pub use error::{FileError, Place, Problem};
 pub use read::{PointFile, ReadOptions, dimension, read2, read3};
 pub use write::{write_csv2, write_csv3};

@@ -27,6 +27,7 @@
 //! | [`fingerprint`](mod@fingerprint) | [`Fingerprint`]: SHA-256 of the coordinates' bits |
 //! | [`seed`] | [`cell_seed`]: the seed of one cell of an experiment |
 //! | [`mod@file`] | points in text files, in and out |
+//! | [`mesh_file`] | polygon meshes in files: OFF, OBJ, PLY, STL |
 //!
 //! A new set is one file in `sets` and one line in the catalogue.
 
@@ -35,6 +36,7 @@ mod draw;
 pub mod error;
 pub mod file;
 pub mod fingerprint;
+pub mod mesh_file;
 pub mod seed;
 mod sets;
 pub mod spec;

@@ -191,7 +191,7 @@ fn available(names: &[String]) -> String {
 }
 
 /// At most `limit` characters of `text`.
-pub(super) fn shortened(text: &str, limit: usize) -> String {
+pub(crate) fn shortened(text: &str, limit: usize) -> String {
     match text.char_indices().nth(limit) {
         Some((end, _)) => format!("{}...", &text[..end]),
         None => text.to_owned(),
