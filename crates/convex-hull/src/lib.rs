@@ -7,19 +7,37 @@
 //!
 //! let gs = hullkit::method("gs").expect("a registered slug");
 //! println!("{}: {}", gs.title, gs.cost);
+//!
+//! let grid: Vec<[f64; 3]> = (0..27).map(|i| [i % 3, i / 3 % 3, i / 9].map(f64::from)).collect();
+//! let hull = hullkit::convex_hull_3d(&grid)?;
+//! assert_eq!(hull.vertices(), [0, 2, 6, 8, 18, 20, 24, 26]);
+//!
+//! let triangulation = hullkit::delaunay(&points)?;
+//! assert_eq!(triangulation.len(), 4);
 //! # Ok::<(), hullkit::HullError>(())
 //! ```
 
-pub use geometry_core::{Boundary, Hull2, HullError, Layers, Method, Points, Task};
+mod delaunay;
+pub mod sweep;
+
+pub use delaunay::{delaunay, delaunay_by};
+pub use geometry_core::hull3::Location;
+pub use geometry_core::{
+    Boundary, Hull2, Hull3, HullError, Layers, Method, Points, Task, Triangulation,
+};
+pub use lifted_delaunay::{Voronoi, VoronoiEdge};
+
+use geometry_core::{Exact, Silent};
 
 /// Every registered method, family by family.
 pub fn methods() -> impl Iterator<Item = &'static Method> {
-    let families: [&'static [Method]; 5] = [
+    let families: [&'static [Method]; 6] = [
         planar_peeling::METHODS,
         quickhull::METHODS,
         gift_wrap::METHODS,
         incremental::METHODS,
         divide_and_conquer::METHODS,
+        delaunay::METHODS,
     ];
     families.into_iter().flatten()
 }
@@ -51,7 +69,7 @@ pub fn convex_hull_2d(points: &[[f64; 2]]) -> Result<Hull2, HullError> {
 /// As [`convex_hull_2d`].
 pub fn convex_hull_2d_with(points: &[[f64; 2]], boundary: Boundary) -> Result<Hull2, HullError> {
     let points = Points::new(points)?;
-    planar_peeling::gs::gs(points, boundary, &geometry_core::Exact, &mut geometry_core::Silent)
+    planar_peeling::gs::gs(points, boundary, &Exact, &mut Silent)
 }
 
 /// The convex layers of `points`, outermost first.
@@ -65,5 +83,27 @@ pub fn convex_hull_2d_with(points: &[[f64; 2]], boundary: Boundary) -> Result<Hu
 /// One hull a layer: about 0.4 n L for L layers of random points.
 pub fn convex_layers(points: &[[f64; 2]], boundary: Boundary) -> Result<Layers, HullError> {
     let points = Points::new(points)?;
-    planar_peeling::peel::gs_peel(points, boundary, &geometry_core::Exact, &mut geometry_core::Silent)
+    planar_peeling::peel::gs_peel(points, boundary, &Exact, &mut Silent)
+}
+
+/// The convex hull of `points` of space: its true facets, each anticlockwise seen from outside.
+///
+/// Exact for every finite input. Repeated, collinear, coplanar and no points at all are ordinary input.
+///
+/// # Errors
+///
+/// As [`convex_hull_2d`].
+///
+/// # Cost
+///
+/// That of method `quickhull-3d`.
+///
+/// ```
+/// let cube: Vec<[f64; 3]> = (0..8).map(|i| [i & 1, i >> 1 & 1, i >> 2].map(f64::from)).collect();
+/// let hull = hullkit::convex_hull_3d(&cube)?;
+/// assert_eq!((hull.len(), hull.facets().count(), hull.triangles().count()), (8, 6, 12));
+/// # Ok::<(), hullkit::HullError>(())
+/// ```
+pub fn convex_hull_3d(points: &[[f64; 3]]) -> Result<Hull3, HullError> {
+    quickhull::quickhull_3d(Points::new(points)?, &Exact, &mut Silent)
 }
