@@ -3,6 +3,7 @@
 //! | slug | module | time |
 //! |---|---|---|
 //! | `eddy` | [`eddy`](mod@eddy) | O(n h), about linear on the usual distributions |
+//! | `quickhull-balan` | [`balan_quickhull`](mod@balan_quickhull) | O(n m) for m facets made |
 //! | `quickhull-3d` | [`quickhull_3d`](mod@quickhull_3d) | O(n²); about linear on the usual distributions, O(n log n) on a sphere |
 //!
 //! ```
@@ -15,10 +16,13 @@
 
 use geometry_core::{Method, planar_task, spatial_task};
 
+pub mod balan_quickhull;
 pub mod eddy;
+mod furthest;
 mod horizon;
 pub mod quickhull_3d;
 
+pub use balan_quickhull::balan_quickhull;
 pub use eddy::eddy;
 pub use quickhull_3d::quickhull_3d;
 
@@ -32,6 +36,14 @@ pub const METHODS: &[Method] = &[
         departures: eddy::DEPARTURES,
         cost: "O(n h); about linear on average for the usual distributions",
         task: planar_task!(PlanarHull, eddy::eddy),
+    },
+    Method {
+        slug: "quickhull-balan",
+        title: "Quickhull as Balan, Munjal and Rao describe it",
+        citation: "A. Balan, G. Munjal, T. R. Rao, Implementation of Convex Hull Algorithms in 3D space, section 3.3",
+        departures: balan_quickhull::DEPARTURES,
+        cost: "O(n m) for m facets made",
+        task: spatial_task!(balan_quickhull::balan_quickhull),
     },
     Method {
         slug: "quickhull-3d",

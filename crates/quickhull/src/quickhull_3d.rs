@@ -31,7 +31,7 @@
 //!
 //! 1. Before each step the surface is the hull of the vertices added so far.
 //! 2. Each point that is outside the surface is in exactly one outside set, that of a facet it is outside of.
-//! 3. `pending` holds every facet whose outside set is not empty; it may hold others.
+//! 3. `pending` and `later` hold every facet whose outside set is not empty; they may hold others.
 //! 4. Copies of a point are asked the same questions and go to the same set, where the one with the smallest index
 //!    is taken; it then coincides with a vertex, is outside of nothing, and all others are dropped.
 //!
@@ -43,6 +43,7 @@
 mod outside;
 mod simplex;
 
+use crate::furthest::furthest;
 use crate::horizon::Horizon;
 use geometry_core::dimension::AffineBasis;
 use geometry_core::mesh::{TriMesh, TriangleId};
@@ -56,8 +57,9 @@ pub const DEPARTURES: &[&str] = &[
      answer is exact, coplanar points are told apart by a symbolic perturbation, and exactly coplanar facets are merged at \
      the end",
     "only three dimensions: facets are triangles",
-    "facets are taken up last made first, the paper leaves the order open: it keeps the points of one region in \
-     the cache",
+    "the paper leaves open in which order facets are taken up. Here it is first made first, which keeps the \
+     partitions balanced, but when many are waiting, half of them are left until the others and all that come of them \
+     are done, which keeps one region of the surface at a time in the cache",
 ];
 
 /// The convex hull by quickhull with outside sets.
@@ -102,14 +104,23 @@ pub fn quickhull_3d<K: Kernel3, O: Observer>(
     Ok(Hull3::from_mesh(points, &quickhull.mesh, kernel))
 }
 
+/// Where more than twice as many facets are waiting, all but so many are left for later. Facets that follow one
+/// another in the order of their making are neighbours, so those kept form a region; with their points they
+/// should fit a cache of a megabyte. Much smaller regions cost questions along their borders: on a million points of a
+/// sphere 6 % more than no regions at 1024, 57 % more at 16. Taking up the last facet made instead, on a
+/// million points in a ball, would cost three times as many.
+const REGION: usize = 1024;
+
 struct Quickhull<'a, K, O> {
     points: Points<'a, 3>,
     kernel: K,
     observer: &'a mut O,
     mesh: TriMesh,
     outside: OutsideSets,
-    /// Facets to take up, the last one first (invariant 3).
+    /// Facets of the region at work to take up, the first one first.
     pending: VecDeque<TriangleId>,
+    /// Facets of the regions left for later, the last region first.
+    later: Vec<VecDeque<TriangleId>>,
     horizon: Horizon,
     /// The facets made by the step under way.
     made: Vec<TriangleId>,
@@ -136,6 +147,7 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
             mesh,
             outside: OutsideSets::default(),
             pending: VecDeque::new(),
+            later: Vec::new(),
             horizon: Horizon::default(),
             pool: points.ids().filter(|id| !simplex.contains(id)).collect(),
             found: vec![0; points.len()],
@@ -147,7 +159,10 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
     /// A facet with a point outside, and the furthest such point.
     fn next_apex(&mut self) -> Option<(TriangleId, u32)> {
         loop {
-            let facet = self.pending.pop_front()?;
+            let Some(facet) = self.pending.pop_front() else {
+                self.pending = self.later.pop()?;
+                continue;
+            };
             if let Some(apex) = self.outside.furthest(facet) {
                 return Some((facet, apex));
             }
@@ -220,10 +235,13 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
         }
         self.pool.truncate(rest);
         let found = &self.found[..outside];
-        let furthest = simplex::furthest(self.points, &self.kernel, corners, found.iter().copied());
-        if let Some(furthest) = furthest {
-            self.outside.put(facet, found, furthest);
+        let apex = furthest(self.points, &self.kernel, corners, found.iter().copied());
+        if let Some(apex) = apex {
+            self.outside.put(facet, found, apex);
             self.pending.push_back(facet);
+            if self.pending.len() > 2 * REGION {
+                self.later.push(self.pending.split_off(REGION));
+            }
             let stored = self.outside.stored();
             self.observer.step(|| Step::Storage(stored as u32));
         }

@@ -7,6 +7,7 @@
 //! Each is an extreme point of the set, up to ties, and no four of them are coplanar: a point off the plane is known
 //! from the affine basis, and the furthest is further.
 
+use crate::furthest::furthest;
 use geometry_core::{Kernel3, Points};
 use std::cmp::Ordering;
 
@@ -40,33 +41,4 @@ fn furthest_on_side_of<K: Kernel3>(
         .is_positive();
     let plane = if above { [a, b, c] } else { [a, c, b] };
     furthest(points, kernel, plane, points.ids()).unwrap_or(id)
-}
-
-/// The highest of `ids` over the plane; of several the lexicographically largest, and of its copies the one with
-/// the smallest index.
-pub(super) fn furthest<K: Kernel3>(
-    points: Points<'_, 3>,
-    kernel: &K,
-    plane: [u32; 3],
-    ids: impl IntoIterator<Item = u32>,
-) -> Option<u32> {
-    let plane = plane.map(|id| points[id]);
-    ids.into_iter().reduce(|best, id| {
-        let height = kernel.compare_height(plane, points[id], points[best]);
-        if height.is_gt() || (height.is_eq() && precedes(points, kernel, id, best)) {
-            id
-        } else {
-            best
-        }
-    })
-}
-
-/// Whether `id` is preferred to `best`, which is as high.
-#[cold]
-fn precedes<K: Kernel3>(points: Points<'_, 3>, kernel: &K, id: u32, best: u32) -> bool {
-    match kernel.lexicographic3(points[id], points[best]) {
-        Ordering::Greater => true,
-        Ordering::Less => false,
-        Ordering::Equal => id < best,
-    }
 }
