@@ -1,8 +1,11 @@
 //! The Delaunay triangulation by every spatial method: always the same, always Delaunay.
 
-use geometry_core::{Exact, InCircle, Kernel2, Method, Point2, Task, Triangulation};
+use geometry_core::{
+    Exact, InCircle, Kernel2, Kernel3, Lifted, Method, Point2, Task, Triangulation,
+};
 use hull_verify::families::random;
-use std::collections::HashMap;
+use point_sets::Spec;
+use std::collections::{BTreeSet, HashMap};
 
 fn spatial_methods() -> impl Iterator<Item = &'static Method> {
     hullkit::methods().filter(|method| matches!(method.task, Task::SpatialHull(_)))
@@ -17,26 +20,38 @@ fn assert_same_by_all(points: &[Point2]) -> Triangulation {
     triangulation
 }
 
+/// The apexes on either side of every inner edge.
+fn quadruples(triangulation: &Triangulation) -> Vec<[u32; 4]> {
+    let mut apexes: HashMap<[u32; 2], u32> = HashMap::new();
+    for &[a, b, c] in triangulation.triangles() {
+        for (edge, apex) in [([a, b], c), ([b, c], a), ([c, a], b)] {
+            assert_eq!(apexes.insert(edge, apex), None, "{edge:?} is a side twice");
+        }
+    }
+    let inner = apexes.iter().filter(|([a, b], _)| a < b);
+    inner
+        .filter_map(|(&[a, b], &apex)| Some([a, b, apex, *apexes.get(&[b, a])?]))
+        .collect()
+}
+
 /// Locally Delaunay at every edge, and a triangulation of the convex hull: together, Delaunay.
 fn assert_delaunay(points: &[Point2], triangulation: &Triangulation) {
     let place = |id: u32| points[id as usize];
-    let mut apexes: HashMap<[u32; 2], u32> = HashMap::new();
-    for &[a, b, c] in triangulation.triangles() {
-        assert!(Exact.orient(place(a), place(b), place(c)).is_positive());
-        for (edge, apex) in [([a, b], c), ([b, c], a), ([c, a], b)] {
-            assert_eq!(apexes.insert(edge, apex), None);
-        }
+    for &corners in triangulation.triangles() {
+        let [a, b, c] = corners.map(place);
+        assert!(Exact.orient(a, b, c).is_positive());
     }
-    for (&[a, b], &apex) in &apexes {
-        if let Some(&other) = apexes.get(&[b, a]) {
-            let inside = Exact.in_circle(place(a), place(b), place(apex), place(other));
-            assert!(!inside.is_positive(), "{a} {b} {apex} {other}");
-        }
+    for quadruple in quadruples(triangulation) {
+        let [a, b, apex, other] = quadruple.map(place);
+        assert!(
+            !Exact.in_circle(a, b, apex, other).is_positive(),
+            "{quadruple:?}"
+        );
     }
     let outline = triangulation.hull_edges();
     let hull = hullkit::convex_hull_2d_with(points, hullkit::Boundary::All).expect("finite points");
     assert_eq!(outline.len(), hull.len());
-    let used: std::collections::BTreeSet<u32> = triangulation
+    let used: BTreeSet<u32> = triangulation
         .triangles()
         .iter()
         .flatten()
@@ -47,16 +62,9 @@ fn assert_delaunay(points: &[Point2], triangulation: &Triangulation) {
 
 /// Points of the unit sphere, flattened, as in Nathan's figure 1.
 fn flattened_sphere(seed: u64, n: usize) -> Vec<Point2> {
-    // Uniform on the sphere: the height is uniform. Here only the disc matters, where the density grows outward.
-    random::disc(seed, n)
-        .into_iter()
-        .map(|[x, y]| {
-            let squared = x * x + y * y;
-            // Archimedes: r² of the disc uniform becomes 1 - |height|; the radius is sqrt(1 - (1 - r²)²).
-            let stretch = (2.0 - squared).sqrt();
-            [x * stretch, y * stretch]
-        })
-        .collect()
+    let spec: Spec = "flattened-sphere".parse().expect("a set of the catalogue");
+    spec.generate(n, seed)
+        .expect("parameters at their defaults")
 }
 
 fn moved(points: &[Point2], offset: f64) -> Vec<Point2> {
@@ -108,4 +116,31 @@ fn copies_and_few_points_by_every_method() {
         let triangulation = assert_same_by_all(&points);
         assert_delaunay(&points, &triangulation);
     }
+}
+
+/// The share of local questions that an exact orientation of rounded lifts answers wrongly.
+fn wrong_signs(points: &[Point2]) -> f64 {
+    let quadruples = quadruples(&hullkit::delaunay(points).expect("finite points"));
+    let is_wrong = |quadruple: &&[u32; 4]| {
+        let flat = quadruple.map(|id| points[id as usize]);
+        let lifted = flat.map(|[x, y]| [x, y, x * x + y * y]);
+        let [[a, b, c, d], [p, q, r, s]] = [flat.map(|[x, y]| [x, y, 0.0]), lifted];
+        Lifted(Exact).orient3(a, b, c, d) != Exact.orient3(p, q, r, s)
+    };
+    quadruples.iter().filter(is_wrong).count() as f64 / quadruples.len() as f64
+}
+
+#[test]
+fn rounded_heights_answer_the_wrong_question() {
+    let points = random::square(3, 1_000);
+    assert_eq!(wrong_signs(&points), 0.0);
+    let at_a_million = wrong_signs(&moved(&points, 1e6));
+    assert!((0.03..0.12).contains(&at_a_million), "{at_a_million}");
+    let at_ten_million = wrong_signs(&moved(&points, 1e7));
+    assert!((0.42..0.55).contains(&at_ten_million), "{at_ten_million}");
+    // Heights of quarters do not round.
+    let quarters: Vec<Point2> = (0..400)
+        .map(|i| [i % 20, i / 20].map(|x| f64::from(x) / 4.0))
+        .collect();
+    assert_eq!(wrong_signs(&quarters), 0.0);
 }
