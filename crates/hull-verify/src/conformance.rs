@@ -25,7 +25,10 @@ mod answer;
 mod cases;
 pub mod change;
 pub mod hostile;
+pub mod space;
 mod trial;
+
+pub use space::spatial_hull;
 
 use crate::families::{self, Family};
 use answer::Answer;

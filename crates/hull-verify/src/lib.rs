@@ -45,4 +45,5 @@ pub mod arithmetic;
 pub mod check;
 pub mod conformance;
 pub mod families;
+pub mod families_space;
 pub mod oracle;

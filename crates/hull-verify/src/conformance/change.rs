@@ -192,7 +192,7 @@ fn ids(points: &[Point2]) -> std::ops::Range<u32> {
 }
 
 /// A random order (Fisher and Yates).
-fn shuffle(ids: &mut [u32], seed: u64) {
+pub(super) fn shuffle(ids: &mut [u32], seed: u64) {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     for i in (1..ids.len()).rev() {
         ids.swap(i, rng.random_range(0..=i));

@@ -143,7 +143,7 @@ impl Trial<'_> {
 }
 
 /// The message of a caught panic.
-fn message(panic: &(dyn Any + Send)) -> &str {
+pub(super) fn message(panic: &(dyn Any + Send)) -> &str {
     panic
         .downcast_ref::<&str>()
         .copied()
