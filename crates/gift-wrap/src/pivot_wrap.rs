@@ -170,18 +170,21 @@ impl<K: Kernel3, O: Observer> Wrapping<'_, K, O> {
         let first = candidates.find(|&id| !kernel.collinear3(u, v, points[id]));
         let mut best = first.ok_or(NO_EDGE)?;
         let mut in_plane = vec![best];
-        for p in candidates {
-            self.observer.step(|| Step::Visit(p));
-            match kernel.orient3(u, v, points[best], points[p]) {
-                Sign::Positive => {
-                    self.observer.step(|| Step::Apex(p));
-                    best = p;
-                    in_plane.clear();
-                    in_plane.push(p);
-                }
-                Sign::Zero => in_plane.push(p),
-                Sign::Negative => {}
+        loop {
+            // While the plane stands, what it takes to ask about it stays in registers.
+            let plane = [u, v, points[best]];
+            let next = candidates.find_map(|p| {
+                self.observer.step(|| Step::Visit(p));
+                let side = kernel.orient3(plane[0], plane[1], plane[2], points[p]);
+                (!side.is_negative()).then_some((p, side))
+            });
+            let Some((p, side)) = next else { break };
+            if side.is_positive() {
+                self.observer.step(|| Step::Apex(p));
+                best = p;
+                in_plane.clear();
             }
+            in_plane.push(p);
         }
         if in_plane.len() == 1 {
             return Ok(vec![edge[0], edge[1], best]);
