@@ -3,6 +3,8 @@
 //! | slug | module | time |
 //! |---|---|---|
 //! | `incremental-r` | [`method_r`](mod@method_r) | Σ hᵢ: from O(n h) down, as the hull grows |
+//! | `incremental-3d` | [`incremental_3d`](mod@incremental_3d) | Σ Fᵢ: (n-1)(n-4) tests if all points are extreme |
+//! | `incremental-conflict` | [`incremental_conflict`](mod@incremental_conflict) | expected O(n log n) |
 //!
 //! ```
 //! use geometry_core::{Boundary, Exact, Points, Silent};
@@ -12,19 +14,48 @@
 //! # Ok::<(), geometry_core::HullError>(())
 //! ```
 
-use geometry_core::{Method, planar_task};
+use geometry_core::{Method, planar_task, spatial_task};
 
+pub mod incremental_3d;
+pub mod incremental_conflict;
 pub mod method_r;
+mod order;
+mod surface;
 
+pub use incremental_3d::{incremental_3d, incremental_3d_in, incremental_3d_seeded};
+pub use incremental_conflict::{
+    incremental_conflict, incremental_conflict_in, incremental_conflict_seeded,
+};
 pub use method_r::method_r;
+pub use order::{DEFAULT_SEED, Order};
 
 /// The methods of this family.
-pub const METHODS: &[Method] = &[Method {
-    slug: "incremental-r",
-    title: "Method R: points added one at a time",
-    citation: "P. J. Green and B. W. Silverman, Constructing the convex hull of a set of points in the plane, \
+pub const METHODS: &[Method] = &[
+    Method {
+        slug: "incremental-r",
+        title: "Method R: points added one at a time",
+        citation: "P. J. Green and B. W. Silverman, Constructing the convex hull of a set of points in the plane, \
                The Computer Journal 22(3), 262-266, 1979, section 5",
-    departures: method_r::DEPARTURES,
-    cost: "sum of h_i over the points; O(n h)",
-    task: planar_task!(PlanarHull, method_r::method_r),
-}];
+        departures: method_r::DEPARTURES,
+        cost: "sum of h_i over the points; O(n h)",
+        task: planar_task!(PlanarHull, method_r::method_r),
+    },
+    Method {
+        slug: "incremental-3d",
+        title: "Insertion in random order, every facet tested",
+        citation: "A. Balan, G. Munjal, T. R. Rao, Implementation of Convex Hull Algorithms in 3D space, section 3.2",
+        departures: incremental_3d::DEPARTURES,
+        cost: "sum of F_i over the points; (n-1)(n-4) tests if all are extreme",
+        task: spatial_task!(incremental_3d::incremental_3d),
+    },
+    Method {
+        slug: "incremental-conflict",
+        title: "Insertion in random order with a conflict graph",
+        citation: "K. L. Clarkson, P. W. Shor, Applications of random sampling in computational geometry II, Discrete & \
+                   Computational Geometry 4, 387-421, 1989; M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, \
+                   Computational Geometry, third edition, Springer 2008, chapter 11",
+        departures: incremental_conflict::DEPARTURES,
+        cost: "O(n log n) expected",
+        task: spatial_task!(incremental_conflict::incremental_conflict),
+    },
+];
