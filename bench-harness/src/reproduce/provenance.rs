@@ -50,7 +50,17 @@ impl Provenance {
 fn commit() -> String {
     let hash = output("git", &["rev-parse", "HEAD"]);
     // A report being regenerated is a change too, so only the sources count.
-    let status = output("git", &["status", "--porcelain", "--", ".", ":!reports"]);
+    let status = output(
+        "git",
+        &[
+            "status",
+            "--porcelain",
+            "--untracked-files=no",
+            "--",
+            ".",
+            ":!reports",
+        ],
+    );
     match (hash.as_str(), status.as_str()) {
         ("unknown", _) => hash,
         (_, "") => hash,

@@ -7,8 +7,8 @@ use crate::reproduce::records::Records;
 use crate::reproduce::theory::hull_size::expected;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-/// Our own averages may be this many standard errors off, over six cells.
-const OURS: f64 = 3.0;
+/// Our own averages may be this many standard errors off: for six cells together as rare as three for one.
+const OURS: f64 = 3.5;
 
 pub(super) fn judge(records: &Records, published: &Published) -> Verdict {
     let ours = ours(records);
