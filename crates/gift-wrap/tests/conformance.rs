@@ -21,3 +21,13 @@ fn jarvis_j2() {
 fn jarvis_j3() {
     hull_verify::conformance::planar_hull(method("jarvis-j3"));
 }
+
+#[test]
+fn nathan() {
+    hull_verify::conformance::spatial_hull(method("nathan"));
+}
+
+#[test]
+fn pivot_wrap() {
+    hull_verify::conformance::spatial_hull(method("pivot-wrap"));
+}

@@ -1,10 +1,10 @@
 //! What Nathan's method does as printed, part by part, and what it costs.
 
-use crate::sets::{ball, grid, on_grid, sphere};
 use geometry_core::{Exact, Kernel3, Perturbed, Point3, Points, Silent};
 use gift_wrap::nathan::{
     Ending, Lookup, Marks, NathanOptions, NathanRun, OwnCorners, PrintedArithmetic, Start, study,
 };
+use hull_verify::families_space::{grids::lattice, random::ball, random::on_grid, round::sphere};
 
 fn run<K: Kernel3>(points: &[Point3], options: NathanOptions, kernel: &K) -> NathanRun {
     let view = Points::new(points).expect("finite points");
@@ -203,7 +203,7 @@ fn the_printed_epsilon_vanishes_on_a_cylinder() {
 /// area, which has no outside: on a grid the march is over after two such triangles.
 #[test]
 fn coplanar_points_need_the_perturbation() {
-    let points = grid(3);
+    let points = lattice(3);
     let exact = run(&points, NathanOptions::PRINTED, &Exact);
     assert_eq!((exact.ending, exact.barren), (Ending::StackEmpty, 0));
     assert!(exact.triangles.len() < 12, "{:?}", exact.triangles);
@@ -222,7 +222,7 @@ fn every_choice_stops_on_hostile_sets() {
     let sets = [
         vec![],
         vec![[1.0; 3]; 5],
-        grid(3),
+        lattice(3),
         on_grid(1, 2, 30),
         vec![[f64::MAX; 3], [-f64::MAX; 3], [0.0; 3], [1.0, 2.0, 3.0]],
     ];

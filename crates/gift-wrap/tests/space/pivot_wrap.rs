@@ -1,8 +1,8 @@
 //! What pivoting asks, counted against the formula in its header.
 
-use crate::sets::{ball, grid, sphere};
 use geometry_core::dimension::AffineBasis;
 use geometry_core::{Counted, Exact, Hull3, Point3, Points, Silent, Tally};
+use hull_verify::families_space::{grids::lattice, random::ball, round::sphere};
 
 /// The hull, and the orientations in space that were asked after the dimension of the set was known.
 fn counted(points: &[Point3]) -> (Hull3, u64, Tally) {
@@ -30,7 +30,7 @@ fn every_facet_asks_all_points_but_three() {
 /// The facets that count are the true ones: six for a grid, however many points lie in each.
 #[test]
 fn coplanar_points_cost_no_more_passes() {
-    let points = grid(8);
+    let points = lattice(8);
     let (hull, _, tally) = counted(&points);
     assert_eq!(hull.facets().count(), 6);
     assert_eq!(tally.lines, 6);
@@ -39,7 +39,10 @@ fn coplanar_points_cost_no_more_passes() {
 
 #[test]
 fn a_flat_set_is_not_wrapped() {
-    let flat: Vec<Point3> = grid(3).into_iter().map(|[x, y, _]| [x, y, x + y]).collect();
+    let flat: Vec<Point3> = lattice(3)
+        .into_iter()
+        .map(|[x, y, _]| [x, y, x + y])
+        .collect();
     let view = Points::new(&flat).expect("finite points");
     let mut tally = Tally::default();
     let hull = gift_wrap::pivot_wrap(view, &Exact, &mut tally);
