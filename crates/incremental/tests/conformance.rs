@@ -13,3 +13,13 @@ fn method(slug: &str) -> &'static Method {
 fn incremental_r() {
     hull_verify::conformance::planar_hull(method("incremental-r"));
 }
+
+#[test]
+fn incremental_3d() {
+    hull_verify::conformance::spatial_hull(method("incremental-3d"));
+}
+
+#[test]
+fn incremental_conflict() {
+    hull_verify::conformance::spatial_hull(method("incremental-conflict"));
+}

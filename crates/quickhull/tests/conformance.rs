@@ -11,3 +11,13 @@ fn method(slug: &str) -> &'static Method {
 fn eddy() {
     hull_verify::conformance::planar_hull(method("eddy"));
 }
+
+#[test]
+fn quickhull_balan() {
+    hull_verify::conformance::spatial_hull(method("quickhull-balan"));
+}
+
+#[test]
+fn quickhull_3d() {
+    hull_verify::conformance::spatial_hull(method("quickhull-3d"));
+}
