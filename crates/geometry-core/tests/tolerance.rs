@@ -31,7 +31,28 @@ fn soft_binary64_and_binary32_are_the_hardware_formats() {
             x * y,
             "{x:?} * {y:?}"
         );
+        assert_eq!(
+            Binary64::of(x).plus(Binary64::of(y)).to_f64(),
+            x + y,
+            "{x:?} + {y:?}"
+        );
+        let quotient = Binary64::of(x).over(Binary64::of(y)).map(Binary64::to_f64);
+        assert_eq!(quotient, (y != 0.0).then(|| x / y), "{x:?} / {y:?}");
+        let root = Binary64::of(x).root().map(Binary64::to_f64);
+        assert_eq!(root, (x >= 0.0).then(|| x.sqrt()), "root of {x:?}");
         let (s, t) = (x as f32, y as f32);
+        let quotient = Binary32::of(s.into()).over(Binary32::of(t.into()));
+        assert_eq!(
+            quotient.map(Binary32::to_f64),
+            (t != 0.0).then(|| f64::from(s / t)),
+            "{s:?} / {t:?}"
+        );
+        let root = Binary32::of(s.into()).root().map(Binary32::to_f64);
+        assert_eq!(
+            root,
+            (s >= 0.0).then(|| f64::from(s.sqrt())),
+            "root of {s:?}"
+        );
         assert_eq!(Binary32::of(x).to_f64(), f64::from(s), "{x:?}");
         assert_eq!(
             Binary32::of(x).minus(Binary32::of(y)).to_f64(),
@@ -91,6 +112,35 @@ fn cdc_truncates_to_48_bits_and_extended_rounds_to_64() {
     assert_eq!(Extended::of(1.0).minus(near_one).to_f64(), 2_f64.powi(-60));
     let near_one = Double::of(1.0).minus(Double::of(2_f64.powi(-60)));
     assert_eq!(Double::of(1.0).minus(near_one).to_f64(), 0.0);
+}
+
+#[test]
+fn quotients_and_roots_of_the_old_machines_are_truncated() {
+    // 2/3 = 0.AAAAAA|AA… in base 16, and 0.101010… in base 2.
+    let of = |numerator: f64, denominator: f64| {
+        let quotient = IbmShort::of(numerator).over(IbmShort::of(denominator));
+        quotient.expect("not by zero").to_f64()
+    };
+    assert_eq!(of(2.0, 3.0), f64::from(0xAA_AAAA) / f64::from(1 << 24));
+    let third = Cdc7600::of(1.0).over(Cdc7600::of(3.0)).expect("not zero");
+    assert_eq!(
+        third.to_f64(),
+        (2_f64.powi(49) / 3.0).floor() / 2_f64.powi(49)
+    );
+    // The root of 2 to 48 bits and to 64.
+    let root = Cdc7600::of(2.0).root().expect("not negative").to_f64();
+    assert_eq!(
+        root,
+        (2_f64.sqrt() * 2_f64.powi(47)).floor() / 2_f64.powi(47)
+    );
+    let root = Extended::of(2.0).root().expect("not negative");
+    let rest = Extended::of(2.0).minus(root.times(root)).to_f64();
+    assert!(rest.abs() <= 2_f64.powi(-62), "{rest:e}");
+    let seventh = Extended::of(1.0).over(Extended::of(7.0)).expect("not zero");
+    let rest = Extended::of(1.0).minus(seventh.times(Extended::of(7.0)));
+    assert!(rest.to_f64().abs() <= 2_f64.powi(-64));
+    assert!(Extended::of(1.0).over(Extended::of(0.0)).is_none());
+    assert!(Extended::of(-1.0).root().is_none());
 }
 
 #[test]

@@ -2,16 +2,22 @@
 
 use super::soft::{Rounding, Soft};
 
-/// A number format in which areas are computed.
+/// A number format in which areas and angles are computed.
 pub trait Format: Copy {
     /// Its name in tables and on the command line.
     const NAME: &'static str;
     /// The number nearest to `x` in the sense of the format's rounding.
     fn of(x: f64) -> Self;
+    /// The sum, rounded.
+    fn plus(self, other: Self) -> Self;
     /// The difference, rounded.
     fn minus(self, other: Self) -> Self;
     /// The product, rounded.
     fn times(self, other: Self) -> Self;
+    /// The quotient, rounded; `None` if `other` is zero.
+    fn over(self, other: Self) -> Option<Self>;
+    /// The square root, rounded; `None` of a negative number.
+    fn root(self) -> Option<Self>;
     /// The value as `f64` (rounded to nearest where `f64` is shorter).
     fn to_f64(self) -> f64;
 }
@@ -25,11 +31,20 @@ impl Format for Single {
     fn of(x: f64) -> Self {
         Self(x as f32)
     }
+    fn plus(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
     fn minus(self, other: Self) -> Self {
         Self(self.0 - other.0)
     }
     fn times(self, other: Self) -> Self {
         Self(self.0 * other.0)
+    }
+    fn over(self, other: Self) -> Option<Self> {
+        (other.0 != 0.0).then(|| Self(self.0 / other.0))
+    }
+    fn root(self) -> Option<Self> {
+        (self.0 >= 0.0).then(|| Self(self.0.sqrt()))
     }
     fn to_f64(self) -> f64 {
         f64::from(self.0)
@@ -45,11 +60,20 @@ impl Format for Double {
     fn of(x: f64) -> Self {
         Self(x)
     }
+    fn plus(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
     fn minus(self, other: Self) -> Self {
         Self(self.0 - other.0)
     }
     fn times(self, other: Self) -> Self {
         Self(self.0 * other.0)
+    }
+    fn over(self, other: Self) -> Option<Self> {
+        (other.0 != 0.0).then(|| Self(self.0 / other.0))
+    }
+    fn root(self) -> Option<Self> {
+        (self.0 >= 0.0).then(|| Self(self.0.sqrt()))
     }
     fn to_f64(self) -> f64 {
         self.0
@@ -68,11 +92,20 @@ macro_rules! soft_format {
             fn of(x: f64) -> Self {
                 Self(<$soft>::of(x))
             }
+            fn plus(self, other: Self) -> Self {
+                Self(self.0.plus(other.0))
+            }
             fn minus(self, other: Self) -> Self {
                 Self(self.0.minus(other.0))
             }
             fn times(self, other: Self) -> Self {
                 Self(self.0.times(other.0))
+            }
+            fn over(self, other: Self) -> Option<Self> {
+                self.0.over(other.0).map(Self)
+            }
+            fn root(self) -> Option<Self> {
+                self.0.root().map(Self)
             }
             fn to_f64(self) -> f64 {
                 self.0.to_f64()

@@ -68,7 +68,51 @@ impl<const BASE: u32, const DIGITS: u32, const ROUNDING: u8> Soft<BASE, DIGITS, 
         })
     }
 
-    fn plus(self, other: Self) -> Self {
+    /// The quotient, shortened; `None` if `other` is zero, for there are no infinities.
+    pub fn over(self, other: Self) -> Option<Self> {
+        if other.significand == 0 {
+            return None;
+        }
+        let divisor = u128::from(other.significand);
+        // Long division in two steps: 64 bits after the point, then 60 more. Together that is at least 60 bits beyond
+        // the longest result, and of what is still left only whether it is zero matters.
+        let dividend = u128::from(self.significand) << 64;
+        let rest = (dividend % divisor) << 60;
+        let quotient = (dividend / divisor) << 60 | rest / divisor;
+        let sticky = u128::from(!rest.is_multiple_of(divisor) && ROUNDING == Rounding::NEAREST);
+        Some(Self::shorten(
+            self.negative != other.negative,
+            quotient | sticky,
+            self.exponent - other.exponent - 124,
+        ))
+    }
+
+    /// The square root, shortened; `None` of a negative number.
+    pub fn root(self) -> Option<Self> {
+        if self.significand == 0 {
+            return Some(self);
+        }
+        if self.negative {
+            return None;
+        }
+        // As many bits as fit, with an even exponent: the root then has 64 bits, the longest result.
+        let magnitude = u128::from(self.significand);
+        let room = magnitude.leading_zeros() as i32;
+        let up = room - (room - self.exponent).rem_euclid(2);
+        let square = magnitude << up;
+        let root = square.isqrt();
+        let rest = square - root * root;
+        // Two bits more: whether the exact root is past the middle, and whether there is anything at all past root.
+        let more = match ROUNDING {
+            Rounding::NEAREST => 2 * u128::from(rest > root) + u128::from(rest > 0),
+            _ => 0,
+        };
+        let exponent = (self.exponent - up) / 2 - 2;
+        Some(Self::shorten(false, root << 2 | more, exponent))
+    }
+
+    /// The sum, shortened.
+    pub fn plus(self, other: Self) -> Self {
         if other.significand == 0 {
             return self;
         }
