@@ -2,7 +2,7 @@
 
 use geometry_core::dimension::AffineBasis;
 use geometry_core::mesh::{SideId, TriMesh, TriangleId};
-use geometry_core::{Hull3, HullError, Kernel3, Points};
+use geometry_core::{Hull3, HullError, Kernel3, Points, Sign};
 
 /// How an insertion begins.
 pub(crate) enum Start {
@@ -47,14 +47,15 @@ fn first_independent<K: Kernel3>(
         return None;
     };
     let [p, q] = [points[*a], points[*b]];
-    let c = rest
-        .iter()
-        .find(|&&c| !kernel.collinear3(p, q, points[c]))?;
+    let off_line = |&c: &u32| !kernel.collinear3(p, q, points[c]);
+    let place = rest.iter().position(off_line)?;
+    // The points before it are on the line.
+    let (c, rest) = rest[place..].split_first()?;
     let side = |d: u32| kernel.orient3(p, q, points[*c], points[d]);
     rest.iter().find_map(|&d| match side(d) {
-        sign if sign.is_zero() => None,
-        sign if sign.is_positive() => Some([*a, *b, *c, d]),
-        _ => Some([*a, *c, *b, d]),
+        Sign::Zero => None,
+        Sign::Positive => Some([*a, *b, *c, d]),
+        Sign::Negative => Some([*a, *c, *b, d]),
     })
 }
 
