@@ -331,11 +331,12 @@ impl<P, Q, O> Surface<'_, P, Q, O> {
     /// The one hull that is left, with this many vertices, as triangles between the caller's indices.
     fn into_mesh(self, vertices: u32) -> Result<TriMesh, Fault> {
         // Euler's formula for triangles. All edges are those of the hull, by invariant 7.
-        if self.edges.live() + 6 != 3 * vertices as usize {
+        // The first place is on every hull; Day starts at the leftmost edge of the shadow's hull, too.
+        let first = &self.places[0];
+        if self.edges.live() + 6 != 3 * vertices as usize || !first.has_edges() {
             return Err(Fault::Tangled);
         }
-        // The first place is on every hull; Day starts at the leftmost edge of the shadow's hull, too.
-        let start = Dart(self.places[0].spoke);
+        let start = Dart(first.spoke);
         let facets = faces::by_spiral(&self.edges, start, self.places.len())?;
         faces::mesh(&self.edges, &facets, self.ids)
     }

@@ -143,6 +143,8 @@ impl Path {
 }
 
 /// The surface of these facets, with the caller's indices of the places.
+///
+/// A [`Fault`] if an edge has not one facet on either side, or none on both.
 pub(crate) fn mesh(edges: &Edges, facets: &[Dart], ids: &[u32]) -> Result<TriMesh, Fault> {
     let mut mesh = TriMesh::default();
     let mut sides = vec![None; 2 * edges.records()];
@@ -150,12 +152,16 @@ pub(crate) fn mesh(edges: &Edges, facets: &[Dart], ids: &[u32]) -> Result<TriMes
         let darts = edges.triangle(dart).ok_or(Fault::Tangled)?;
         let triangle = mesh.add(darts.map(|dart| ids[edges.origin(dart) as usize]));
         for (dart, side) in darts.into_iter().zip(triangle.sides()) {
-            sides[dart.0 as usize] = Some(side);
+            if sides[dart.0 as usize].replace(side).is_some() {
+                return Err(Fault::Tangled);
+            }
         }
     }
     for pair in sides.chunks_exact(2) {
-        if let &[Some(side), Some(twin)] = pair {
-            mesh.link(side, twin);
+        match pair {
+            &[Some(side), Some(twin)] => mesh.link(side, twin),
+            [None, None] => {}
+            _ => return Err(Fault::Tangled),
         }
     }
     Ok(mesh)

@@ -188,10 +188,19 @@ impl<'a, P: Policy, Q: Questions, O: Observer> Surface<'a, P, Q, O> {
         }
         let lower = self.supporting_line(Line::Lower, &range, middle)?;
         let upper = self.supporting_line(Line::Upper, &range, middle)?;
+        let alone = [middle - range.start, range.end - middle].map(|count| count == 1);
+        for (place, alone) in upper.into_iter().zip(alone) {
+            // Hidden vertices have left the ring.
+            if !alone && !self.places[place as usize].has_edges() {
+                return Err(Fault::Tangled);
+            }
+        }
         // A flat facet is triangulated as a fan from its lowest corner, which the lower line often meets: at the upper
         // line the first search has fewer edges to look at.
         self.wrap(upper, range.len())?;
-        let vertices = vertices - self.hide(upper)?;
+        let vertices = vertices
+            .checked_sub(self.hide(upper)?)
+            .ok_or(Fault::Tangled)?;
         self.sew(upper);
         self.join_rings(lower, upper);
         self.report(vertices);
