@@ -31,11 +31,14 @@
 //! point of rank i+1 is on the boundary of ring i, neither is anything inside ring i+1. So all layers together
 //! cost no more than one pass over the points.
 
+mod cycle;
+mod delaunay;
 mod finding;
 mod layers;
 mod outline;
 mod space;
 
+pub use delaunay::{DelaunayCertificate, DelaunayFinding, delaunay};
 pub use finding::Finding;
 pub use layers::{LayersCertificate, layers};
 pub use space::{Certificate3, Finding3, Order, hull3};

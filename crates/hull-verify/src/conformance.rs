@@ -24,10 +24,13 @@
 mod answer;
 mod cases;
 pub mod change;
+mod delaunay;
 pub mod hostile;
+mod report;
 pub mod space;
 mod trial;
 
+pub use delaunay::{delaunay, delaunay_families};
 pub use space::spatial_hull;
 
 use crate::families::{self, Family};

@@ -157,6 +157,7 @@ mod tests {
             }
             let big = mixed(numbers.map(BigInt::from)).ordering();
             assert_eq!(mixed(numbers.map(Int::<4>::from)).ordering(), big);
+            assert_eq!(mixed(numbers.map(Int::<6>::from)).ordering(), big);
             assert_eq!(mixed(numbers.map(Int::<8>::from)).ordering(), big);
             let small = numbers.map(|x| x >> 64);
             let big = mixed(small.map(BigInt::from)).ordering();

@@ -9,7 +9,7 @@
 //! | [`side`](Scale::side) | 2³ʷ⁺⁶ | 3w + 7 |
 //! | [`in_circle`](Scale::in_circle) | 2⁴ʷ⁺⁸ | 4w + 9 |
 //!
-//! which decides whether it is computed in 128, 256 or 512 bits or in big integers. The bounds hold for every
+//! which decides whether it is computed in 128, 256, 384 or 512 bits or in big integers. The bounds hold for every
 //! intermediate result too.
 
 use super::Turn;
@@ -62,6 +62,7 @@ pub struct Scale {
 enum Width {
     Bits128,
     Bits256,
+    Bits384,
     Bits512,
     Big,
 }
@@ -103,6 +104,7 @@ impl Scale {
         Side::from(match self.width(3 * self.bits + 7) {
             Width::Bits128 => volume::<i128>(self.vectors(a, others)),
             Width::Bits256 => volume::<Int<4>>(self.vectors(a, others)),
+            Width::Bits384 => volume::<Int<6>>(self.vectors(a, others)),
             Width::Bits512 => volume::<Int<8>>(self.vectors(a, others)),
             Width::Big => volume(self.big_vectors(a, others)),
         })
@@ -115,6 +117,7 @@ impl Scale {
         Turn::from(match self.width(2 * self.bits + 4) {
             Width::Bits128 => area::<i128>(self.vectors(a[0], others)),
             Width::Bits256 => area::<Int<4>>(self.vectors(a[0], others)),
+            Width::Bits384 => area::<Int<6>>(self.vectors(a[0], others)),
             Width::Bits512 => area::<Int<8>>(self.vectors(a[0], others)),
             Width::Big => area(self.big_vectors(a[0], others)),
         })
@@ -134,6 +137,7 @@ impl Scale {
         match self.width(4 * self.bits + 9) {
             Width::Bits128 => lifted::<i128>(self.vectors(d, others)),
             Width::Bits256 => lifted::<Int<4>>(self.vectors(d, others)),
+            Width::Bits384 => lifted::<Int<6>>(self.vectors(d, others)),
             Width::Bits512 => lifted::<Int<8>>(self.vectors(d, others)),
             Width::Big => lifted(self.big_vectors(d, others)),
         }
@@ -145,7 +149,8 @@ impl Scale {
             _ if self.bits > 126 => Width::Big,
             ..=128 => Width::Bits128,
             129..=256 => Width::Bits256,
-            257..=512 => Width::Bits512,
+            257..=384 => Width::Bits384,
+            385..=512 => Width::Bits512,
             _ => Width::Big,
         }
     }

@@ -78,7 +78,7 @@ pub(super) fn cases<A: Answer>() -> &'static Cases<A> {
 }
 
 /// Every set of at most `most` points of the k × k lattice. Which point comes first varies from set to set.
-fn subsets_of_lattice(k: u32, most: u32) -> impl Iterator<Item = Vec<Point2>> {
+pub(super) fn subsets_of_lattice(k: u32, most: u32) -> impl Iterator<Item = Vec<Point2>> {
     (0_u32..1 << (k * k))
         .filter(move |set| set.count_ones() <= most)
         .map(move |set| {

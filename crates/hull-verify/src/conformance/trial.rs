@@ -1,11 +1,9 @@
 //! One run of a method on one point set, and the report if it fails.
 
 use super::answer::Answer;
+use super::report::{message, save, shown};
 use geometry_core::{Boundary, HullError, Point2, Points};
-use std::any::Any;
-use std::fmt::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::PathBuf;
 
 /// What is run on what.
 pub(super) struct Trial<'a> {
@@ -94,10 +92,6 @@ impl Trial<'_> {
 
     #[cold]
     fn fail(&self, what: &str) -> ! {
-        let saved = match self.save() {
-            Ok(path) => format!("points saved in {}", path.display()),
-            Err(error) => format!("the points could not be saved: {error}"),
-        };
         let Self {
             slug,
             instance,
@@ -106,47 +100,11 @@ impl Trial<'_> {
             boundary,
             points,
         } = self;
-        let shown = if points.len() <= 12 {
-            format!("\npoints: {points:?}")
-        } else {
-            String::new()
-        };
+        let saved = save(&format!("{slug}-{family}-{change}-{boundary:?}"), points);
+        let shown = shown(points);
         panic!(
             "{slug} ({instance}) fails on {} points: {family}, {change}, {boundary:?}\n{what}{shown}\n{saved}",
             points.len()
         );
     }
-
-    /// Writes the points as lines `x,y`, each number the shortest that reads back to the same bits.
-    fn save(&self) -> std::io::Result<PathBuf> {
-        let folder =
-            std::env::var_os("CARGO_TARGET_TMPDIR").map_or_else(std::env::temp_dir, PathBuf::from);
-        let name = format!(
-            "{}-{}-{}-{:?}.csv",
-            self.slug, self.family, self.change, self.boundary
-        );
-        let plain = |c: char| {
-            if c.is_ascii_alphanumeric() || "-.".contains(c) {
-                c
-            } else {
-                '_'
-            }
-        };
-        let path = folder.join(name.chars().map(plain).collect::<String>());
-        let mut text = String::from("x,y\n");
-        for [x, y] in self.points {
-            let _ = writeln!(text, "{x:?},{y:?}");
-        }
-        std::fs::write(&path, text)?;
-        Ok(path)
-    }
-}
-
-/// The message of a caught panic.
-pub(super) fn message(panic: &(dyn Any + Send)) -> &str {
-    panic
-        .downcast_ref::<&str>()
-        .copied()
-        .or_else(|| panic.downcast_ref::<String>().map(String::as_str))
-        .unwrap_or("(no message)")
 }

@@ -4,6 +4,7 @@ use super::finding3::{Finding3, verdict};
 use super::surface::Surface;
 use crate::arithmetic::scale::{Scale, Side, order3, shadow};
 use crate::arithmetic::{Turn, order};
+use crate::check::cycle::{Fault, convex_outline};
 use geometry_core::{Axis, Point3};
 
 /// A surface with its coordinates.
@@ -112,42 +113,21 @@ impl Shape<'_> {
     fn outline_goes_round_once(&self, facing: &Facing) -> Result<(), Vec<Finding3>> {
         let surface = self.surface;
         let is_upper = |facet: u32| facing[facet as usize] == Turn::Left;
-        let mut outline: Vec<u32> = (0..surface.side_count() as u32)
+        let outline = (0..surface.side_count() as u32)
             .filter(|&side| {
                 is_upper(surface.facets[side as usize]) && !is_upper(surface.facet_beyond(side))
             })
+            .map(|side| [surface.origin(side), surface.target(side)])
             .collect();
-        outline.sort_unstable_by_key(|&side| surface.origin(side));
-        let mut findings = Vec::new();
-        for pair in outline.windows(2) {
-            let [vertex, other] = [pair[0], pair[1]].map(|side| surface.origin(side));
-            if vertex == other {
-                findings.push(Finding3::OutlineBreaks { vertex });
-            }
-        }
-        let mut revolutions = 0;
-        for &side in &outline {
-            let vertex = surface.target(side);
-            let after = outline.binary_search_by_key(&vertex, |&side| surface.origin(side));
-            let Ok(after) = after.map(|place| surface.target(outline[place])) else {
-                findings.push(Finding3::OutlineBreaks { vertex });
-                continue;
-            };
-            let corners = [surface.origin(side), vertex, after].map(|id| self.at(id));
-            let [p, q, r] = corners.map(|p| shadow(Axis::Z, p));
-            let [a, b, c] = corners;
-            match self.scale.turn(Axis::Z, a, b, c) {
-                Turn::Left => {}
-                Turn::Straight if order(p, q) == order(q, r) => {}
-                _ => findings.push(Finding3::OutlineBreaks { vertex }),
-            }
-            revolutions += usize::from(order(p, q).is_lt() && order(r, q).is_lt());
-        }
-        verdict(findings)?;
-        if revolutions != 1 {
-            return Err(vec![Finding3::OutlineWinding { revolutions }]);
-        }
-        Ok(())
+        let turn = |a, b, c| self.scale.turn(Axis::Z, self.at(a), self.at(b), self.at(c));
+        let flat = |id| shadow(Axis::Z, self.at(id));
+        convex_outline(outline, turn, |a, b| order(flat(a), flat(b))).map_err(|fault| match fault {
+            Fault::Breaks(vertices) => vertices
+                .into_iter()
+                .map(|vertex| Finding3::OutlineBreaks { vertex })
+                .collect(),
+            Fault::Winding(revolutions) => vec![Finding3::OutlineWinding { revolutions }],
+        })
     }
 }
 
