@@ -55,13 +55,14 @@ use geometry_core::{Hull3, HullError, Kernel3, Observer, Perturbed, Point3, Poin
 use questions::Oriented;
 use surface::{Fault, Policy, Scan, Surface};
 
-pub(crate) mod edges;
+pub mod cotangent;
+mod edges;
 mod faces;
 mod parallel;
-pub(crate) mod questions;
+mod questions;
 mod seam;
 mod shadow;
-pub(crate) mod surface;
+mod surface;
 mod wrap;
 
 pub use parallel::{PARALLEL_DEPARTURES, preparata_hong_parallel};

@@ -1,20 +1,8 @@
-//! Listing the facets of the finished hull: by Day's spiral, and by number.
+//! Listing the facets of the finished hull by Day's spiral.
 
 use super::edges::{Dart, Edges, NONE};
 use super::surface::Fault;
 use geometry_core::mesh::TriMesh;
-
-/// One facet by number after another, each as its first dart.
-pub(crate) fn by_number(edges: &Edges) -> Result<Vec<Dart>, Fault> {
-    let mut facets = Vec::with_capacity(2 * edges.live() / 3);
-    for dart in edges.darts() {
-        let facet = edges.triangle(dart).ok_or(Fault::Tangled)?;
-        if facet.iter().all(|&other| dart <= other) {
-            facets.push(dart);
-        }
-    }
-    Ok(facets)
-}
 
 /// The facets in the order of a closed path that spirals over the surface (Day, section 4), each as the dart on which
 /// the path met it.
@@ -165,4 +153,61 @@ pub(crate) fn mesh(edges: &Edges, facets: &[Dart], ids: &[u32]) -> Result<TriMes
         }
     }
     Ok(mesh)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::questions::Oriented;
+    use super::super::surface::Surface;
+    use super::super::{Order, Resumed};
+    use super::*;
+    use geometry_core::{Exact, Perturbed, Point3, Points, Silent};
+
+    /// Every facet once, as its smallest dart, by looking at every dart.
+    fn by_number(edges: &Edges) -> Vec<Dart> {
+        let is_first = |&dart: &Dart| {
+            let facet = edges.triangle(dart).expect("all facets are triangles");
+            facet.iter().all(|&other| dart <= other)
+        };
+        edges.darts().filter(is_first).collect()
+    }
+
+    fn smallest(edges: &Edges, dart: Dart) -> Dart {
+        let facet = edges.triangle(dart).expect("a triangle");
+        facet.into_iter().min().expect("three darts")
+    }
+
+    #[test]
+    fn the_spiral_meets_every_facet_once() {
+        let lattice = |k: usize, count: usize| -> Vec<Point3> {
+            let coordinates = |i: usize| [i / k / k, i / k % k, i % k].map(|c| c as f64);
+            (0..count).map(coordinates).collect()
+        };
+        // A double pyramid over a polygon of 100 corners, whose tips have many edges.
+        let mut pyramid: Vec<Point3> = (0..100_i32)
+            .map(|i| [f64::from(i), f64::from(i * i), f64::from(i % 2)])
+            .collect();
+        pyramid.extend([[50.0, 4000.0, 1e6], [50.0, 4000.0, -1e6]]);
+        for points in [
+            lattice(2, 5),
+            lattice(2, 8),
+            lattice(4, 64),
+            lattice(9, 700),
+            pyramid,
+        ] {
+            let order = Order::of(Points::new(&points).expect("finite"), &Exact);
+            let questions = Oriented(Perturbed(Exact));
+            let mut surface =
+                Surface::<Resumed, _, _>::new(&order.points, &order.ids, &questions, Silent);
+            surface
+                .conquer(0..order.ids.len(), &mut |_| {})
+                .expect("an exact kernel");
+            let edges = &surface.edges;
+            let start = Dart(surface.places[0].spoke);
+            let spiral = by_spiral(edges, start, order.ids.len()).expect("a sphere");
+            let mut listed: Vec<Dart> = spiral.iter().map(|&dart| smallest(edges, dart)).collect();
+            listed.sort_unstable();
+            assert_eq!(listed, by_number(edges));
+        }
+    }
 }

@@ -83,13 +83,13 @@ impl<P: Policy, Q: Questions, O: Observer> Surface<'_, P, Q, O> {
         }
     }
 
-    /// Whether three places turn as the lower or upper side of a ring does.
+    /// Whether three places turn as the lower or upper side of a ring does, or not at all (only rounding makes it so).
     fn turns(&self, line: Line, places: [u32; 3]) -> bool {
         let [a, b, c] = places.map(|place| self.point(place));
         let sign = self.questions.shadow(a, b, c);
         match line {
-            Line::Lower => sign == Sign::Positive,
-            Line::Upper => sign == Sign::Negative,
+            Line::Lower => sign != Sign::Negative,
+            Line::Upper => sign != Sign::Positive,
         }
     }
 

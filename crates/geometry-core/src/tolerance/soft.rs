@@ -74,11 +74,11 @@ impl<const BASE: u32, const DIGITS: u32, const ROUNDING: u8> Soft<BASE, DIGITS, 
             return None;
         }
         let divisor = u128::from(other.significand);
-        // Long division in two steps: 64 bits after the point, then 60 more. Together that is at least 60 bits beyond
-        // the longest result, and of what is still left only whether it is zero matters.
+        // Long division in two steps: 64 bits after the point, then 60 more. That is more than twice the longest result
+        // and at most 128 bits, and of what is still left only whether it is zero matters.
         let dividend = u128::from(self.significand) << 64;
         let rest = (dividend % divisor) << 60;
-        let quotient = (dividend / divisor) << 60 | rest / divisor;
+        let quotient = ((dividend / divisor) << 60) | (rest / divisor);
         let sticky = u128::from(!rest.is_multiple_of(divisor) && ROUNDING == Rounding::NEAREST);
         Some(Self::shorten(
             self.negative != other.negative,
@@ -88,6 +88,13 @@ impl<const BASE: u32, const DIGITS: u32, const ROUNDING: u8> Soft<BASE, DIGITS, 
     }
 
     /// The square root, shortened; `None` of a negative number.
+    ///
+    /// ```
+    /// use geometry_core::tolerance::soft::{Rounding, Soft};
+    /// type Binary64 = Soft<2, 53, { Rounding::NEAREST }>;
+    /// let root = Binary64::of(2.0).root().map(Binary64::to_f64);
+    /// assert_eq!(root, Some(std::f64::consts::SQRT_2));
+    /// ```
     pub fn root(self) -> Option<Self> {
         if self.significand == 0 {
             return Some(self);
