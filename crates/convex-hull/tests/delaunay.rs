@@ -1,63 +1,28 @@
 //! The Delaunay triangulation by every spatial method: always the same, always Delaunay.
 
-use geometry_core::{
-    Exact, InCircle, Kernel2, Kernel3, Lifted, Method, Point2, Task, Triangulation,
-};
+use geometry_core::{Exact, Kernel3, Lifted, Method, Point2, Task, Triangulation};
 use hull_verify::families::random;
 use point_sets::Spec;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
 fn spatial_methods() -> impl Iterator<Item = &'static Method> {
     hullkit::methods().filter(|method| matches!(method.task, Task::SpatialHull(_)))
 }
 
-fn assert_same_by_all(points: &[Point2]) -> Triangulation {
+fn certified(points: &[Point2]) -> Triangulation {
     let triangulation = hullkit::delaunay(points).expect("finite points");
-    for method in spatial_methods() {
-        let other = hullkit::delaunay_by(method, points).expect("a spatial method");
-        assert_eq!(other.as_ref(), Ok(&triangulation), "{}", method.slug);
+    if let Err(findings) = hull_verify::check::delaunay(points, &triangulation) {
+        panic!("{findings:?} of {points:?}");
     }
     triangulation
 }
 
-/// The apexes on either side of every inner edge.
-fn quadruples(triangulation: &Triangulation) -> Vec<[u32; 4]> {
-    let mut apexes: HashMap<[u32; 2], u32> = HashMap::new();
-    for &[a, b, c] in triangulation.triangles() {
-        for (edge, apex) in [([a, b], c), ([b, c], a), ([c, a], b)] {
-            assert_eq!(apexes.insert(edge, apex), None, "{edge:?} is a side twice");
-        }
+fn assert_same_by_all(points: &[Point2]) {
+    let triangulation = certified(points);
+    for method in spatial_methods() {
+        let other = hullkit::delaunay_by(method, points).expect("a spatial method");
+        assert_eq!(other.as_ref(), Ok(&triangulation), "{}", method.slug);
     }
-    let inner = apexes.iter().filter(|([a, b], _)| a < b);
-    inner
-        .filter_map(|(&[a, b], &apex)| Some([a, b, apex, *apexes.get(&[b, a])?]))
-        .collect()
-}
-
-/// Locally Delaunay at every edge, and a triangulation of the convex hull: together, Delaunay.
-fn assert_delaunay(points: &[Point2], triangulation: &Triangulation) {
-    let place = |id: u32| points[id as usize];
-    for &corners in triangulation.triangles() {
-        let [a, b, c] = corners.map(place);
-        assert!(Exact.orient(a, b, c).is_positive());
-    }
-    for quadruple in quadruples(triangulation) {
-        let [a, b, apex, other] = quadruple.map(place);
-        assert!(
-            !Exact.in_circle(a, b, apex, other).is_positive(),
-            "{quadruple:?}"
-        );
-    }
-    let outline = triangulation.hull_edges();
-    let hull = hullkit::convex_hull_2d_with(points, hullkit::Boundary::All).expect("finite points");
-    assert_eq!(outline.len(), hull.len());
-    let used: BTreeSet<u32> = triangulation
-        .triangles()
-        .iter()
-        .flatten()
-        .copied()
-        .collect();
-    assert_eq!(triangulation.len(), 2 * used.len() - outline.len() - 2);
 }
 
 /// Points of the unit sphere, flattened, as in Nathan's figure 1.
@@ -72,17 +37,20 @@ fn moved(points: &[Point2], offset: f64) -> Vec<Point2> {
 }
 
 #[test]
+fn conformance() {
+    hull_verify::conformance::delaunay(hullkit::method("lifted-delaunay").expect("registered"));
+}
+
+#[test]
 fn nathans_figure_1_by_every_method() {
     let points = flattened_sphere(1, 1_024);
-    let triangulation = assert_same_by_all(&points);
-    assert_delaunay(&points, &triangulation);
+    assert_same_by_all(&points);
 }
 
 #[test]
 fn nathans_figure_1_far_from_the_origin() {
     let points = moved(&flattened_sphere(2, 1_024), 1e7);
-    let triangulation = assert_same_by_all(&points);
-    assert_delaunay(&points, &triangulation);
+    assert_same_by_all(&points);
 }
 
 #[test]
@@ -90,12 +58,11 @@ fn integer_grids_near_and_far() {
     let grid: Vec<Point2> = (0..1_024)
         .map(|i| [i % 32, i / 32].map(f64::from))
         .collect();
-    let near = hullkit::delaunay(&grid).expect("finite points");
+    let near = certified(&grid);
     assert_eq!(near.len(), 2 * 31 * 31);
     // Each cell is cut from its lower left corner to its upper right one.
     assert_eq!(near.triangles()[..2], [[0, 1, 33], [0, 33, 32]]);
-    assert_delaunay(&grid, &near);
-    assert_eq!(hullkit::delaunay(&moved(&grid, 1e7)), Ok(near));
+    assert_eq!(certified(&moved(&grid, 1e7)), near);
     let small: Vec<Point2> = (0..64).map(|i| [i % 8, i / 8].map(f64::from)).collect();
     assert_same_by_all(&small);
     assert_same_by_all(&moved(&small, 1e7));
@@ -113,14 +80,27 @@ fn copies_and_few_points_by_every_method() {
             .iter()
             .map(|p| p.map(|x| x * magnitude))
             .collect();
-        let triangulation = assert_same_by_all(&points);
-        assert_delaunay(&points, &triangulation);
+        assert_same_by_all(&points);
     }
+}
+
+/// The apexes on either side of every inner edge.
+fn quadruples(triangulation: &Triangulation) -> Vec<[u32; 4]> {
+    let mut apexes: HashMap<[u32; 2], u32> = HashMap::new();
+    for &[a, b, c] in triangulation.triangles() {
+        for (edge, apex) in [([a, b], c), ([b, c], a), ([c, a], b)] {
+            assert_eq!(apexes.insert(edge, apex), None, "{edge:?} is a side twice");
+        }
+    }
+    let inner = apexes.iter().filter(|([a, b], _)| a < b);
+    inner
+        .filter_map(|(&[a, b], &apex)| Some([a, b, apex, *apexes.get(&[b, a])?]))
+        .collect()
 }
 
 /// The share of local questions that an exact orientation of rounded lifts answers wrongly.
 fn wrong_signs(points: &[Point2]) -> f64 {
-    let quadruples = quadruples(&hullkit::delaunay(points).expect("finite points"));
+    let quadruples = quadruples(&certified(points));
     let is_wrong = |quadruple: &&[u32; 4]| {
         let flat = quadruple.map(|id| points[id as usize]);
         let lifted = flat.map(|[x, y]| [x, y, x * x + y * y]);
