@@ -18,8 +18,12 @@
 //! As Day has it: the split into multiples of four points, tetrahedra at the bottom by the sign of a triple product, and
 //! `onleft` for the shadows, all in the format. Departures: axes are renamed as in [`preparata_hong_3d`]; the reference
 //! point behind the first bridge, of which he only says that it lies "immediately behind" it, is vertically below its
-//! upper end by the length of the bridge's shadow; and what would be an endless loop or a dangling pointer is found out
-//! and reported.
+//! end in the first half by the length of the bridge's shadow; a search does not look beyond an edge of arrival; and
+//! what would be an endless loop or a dangling pointer is found out and reported.
+//!
+//! On points uniform in a cube, the report holds: of 20 sets of 100 points all come out right in 64 bits with eps2 = 10¹⁶,
+//! but hardly any in 53 bits and none in 24, which need 10¹³ and 10⁴. With p bits, an eps2 beyond about 2ᵖ lets rounding
+//! noise decide between an angle of 0 and a half-turn; one that is too small takes different angles for equal.
 //!
 //! [`preparata_hong_3d`]: super
 

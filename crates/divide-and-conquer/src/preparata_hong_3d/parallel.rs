@@ -17,7 +17,7 @@ pub const PARALLEL_DEPARTURES: &[&str] = &[
     "otherwise as preparata-hong-3d",
 ];
 
-/// Ranges of up to so many points are conquered by one thread. They take about a millisecond.
+/// Ranges of up to so many points are conquered by one thread. They take a few milliseconds.
 const GRAIN: usize = 4096;
 
 /// The result of [`preparata_hong_3d`](super::preparata_hong_3d()), found on several processors.

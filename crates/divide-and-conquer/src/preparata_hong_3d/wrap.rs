@@ -6,7 +6,7 @@
 //!                  survives
 //!      x ◄──────── a ◄──────── a'         a, b    the bridge: the edge reached
 //!       '.        /|\        .'           a', b'  where the ends were before
-//!         '.    1/ |2\3    .'  facet      1 2 3   edges of a that were passed: from the one after a'
+//!         '.    3/ |2\1    .'  facet      1 2 3   edges of a that were passed: from the one after a'
 //!           '.     |     .'    a' b a             clockwise to the one before x
 //!             '.   |   .'                 x       the edge of a that turns furthest outwards;
 //!               '. | .'                           round b another one, y, anticlockwise
