@@ -1,64 +1,55 @@
 //! The papers, regenerated and judged.
 //!
-//! A pipeline of plain values, each stage computed from the one before:
-//!
-//! ```text
-//! definition, published figures      data/…                   definition.rs, published.rs
-//!   -> point sets                    seed and fingerprint     sets.rs
-//!   -> certified, counted, timed     one experiment a file    experiments/
-//!   -> records                       rows of CSV              records.rs
-//!   -> derived quantities            means, ratios            derived.rs, stats/, theory/
-//!   -> verdicts                      one claim a file         verdicts/
-//!   -> tables, figures, report       Markdown, CSV, SVG       render/
-//! ```
-//!
-//! Counting and timing are runs of their own, and nothing is counted or timed that is not certified. A verdict
-//! sees records and published figures only, never a clock or an algorithm.
+//! | module | holds |
+//! |---|---|
+//! | [`paper`] | what a paper is to the harness |
+//! | one folder a paper | its definition, experiments, records, verdicts and report |
+//! | [`data`] | definitions, published figures and claims, from `data/` |
+//! | [`stats`], [`theory`] | statistics; expected numbers of vertices |
+//! | [`verdict`] | outcomes and how parts make a whole |
+//! | [`render`] | the pieces of a report: sheets, plots, claims, the folder |
+//! | [`provenance`], [`progress`], [`parallel`] | where a report comes from; how far it is; two sets at a time |
 
-mod definition;
-mod derived;
-mod experiments;
+mod data;
+mod green_silverman;
+mod paper;
 mod parallel;
 mod progress;
 mod provenance;
-mod published;
-mod records;
 mod render;
-mod sets;
 mod stats;
 mod theory;
-mod topics;
-mod verdicts;
+mod verdict;
 
 use crate::failure::Failure;
 use crate::output::target::to_stdout;
 use anyhow::Result;
-use definition::{Definition, PAPER};
+use paper::{Judged, Paper, Request};
 use provenance::Provenance;
-use published::Published;
-use records::Records;
 use render::folder::Folder;
-use render::peels::Figure;
 use std::path::PathBuf;
 use std::time::Instant;
-use topics::{Experiment, Topic};
-use verdicts::Verdict;
-use verdicts::predictions::Checked;
+
+/// Every paper, in the order of the report.
+const PAPERS: &[Paper] = &[green_silverman::GREEN_SILVERMAN];
 
 /// The options of `hullbench reproduce`.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Args {
-    /// What to reproduce of Green & Silverman (1979): table1, table2, figure1, figure2, figure7, storage,
-    /// peeling, claims, or a claim GS-1 to GS-9 [default: all]
+    /// What to reproduce: a paper (green-silverman-1979), a table or figure of one (table1), or a claim (GS-1)
+    /// [default: all of every paper]
     #[arg(value_name = "ID")]
     ids: Vec<String>,
 
-    /// A smaller run, under a minute
+    /// All of every paper: what no ID at all means too
+    #[arg(long, conflicts_with = "ids")]
+    all: bool,
+
+    /// A smaller run, under a minute or two
     #[arg(long)]
     quick: bool,
 
-    /// The folder of the report [default: reports/green-silverman-1979, with --quick
-    /// reports/quick/green-silverman-1979]
+    /// The folder below which each paper has its own [default: reports, with --quick reports/quick]
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
 
@@ -67,7 +58,7 @@ pub struct Args {
     seed: Option<u64>,
 }
 
-/// Runs the experiments that the asked-for tables, figures and claims need, and writes the report.
+/// Reproduces what is asked for, a paper after the other, and writes the reports.
 ///
 /// A refuted claim is a result, not an error.
 ///
@@ -76,25 +67,65 @@ pub struct Args {
 /// An unknown ID; a file that cannot be read or written; at the end, results that could not be certified.
 pub fn run(args: &Args) -> Result<()> {
     let started = Instant::now();
-    let published = Published::load()?;
-    let topics = topics::parse(&args.ids, &published)?;
-    let mut definition = Definition::load(args.quick)?;
-    definition.seed = args.seed.unwrap_or(definition.seed);
-    let mut provenance = Provenance::collect(command(args), definition.seed);
-    let records = experiment(&definition, &topics)?;
+    let wanted = wanted(PAPERS, &args.ids)?;
+    let command = command(args);
+    let base = folder(args);
+    let mut judged = Vec::new();
+    for (paper, ids) in wanted {
+        let folder = base.join(paper.slug);
+        let request = Request {
+            ids: &ids,
+            quick: args.quick,
+            seed: args.seed,
+            folder: &folder,
+            command: &command,
+        };
+        judged.push((paper, (paper.run)(&request)?));
+    }
+    let mut provenance = Provenance::collect(command, args.seed);
     provenance.finish(started.elapsed().as_secs());
-    let folder = Folder::open(folder(args), provenance)?;
-    let verdicts = report(&folder, &definition, &topics, &records, &published)?;
+    let folder = Folder::open(base, provenance)?;
+    write_index(&folder, &judged)?;
     to_stdout(|out| {
-        for verdict in &verdicts {
-            writeln!(out, "{}: {}", verdict.id, verdict.outcome)?;
+        for (_, judged) in &judged {
+            for verdict in &judged.verdicts {
+                writeln!(out, "{}: {}", verdict.id, verdict.outcome)?;
+            }
         }
         writeln!(out, "{}", folder.path().join("REPORT.md").display())
     })?;
-    match records.failures.len() {
-        0 => Ok(()),
+    match judged.iter().map(|(_, judged)| judged.uncertified).sum() {
+        0_usize => Ok(()),
         count => Err(Failure::Verification(format!(
             "{count} results could not be certified; see the report"
+        ))
+        .into()),
+    }
+}
+
+/// The papers that `ids` concern, each with the ids that are its own; none stands for all.
+fn wanted<'a>(papers: &'a [Paper], ids: &[String]) -> Result<Vec<(&'a Paper, Vec<String>)>> {
+    let mut unknown: Vec<&String> = ids.iter().collect();
+    let mut found = Vec::new();
+    let mut known = Vec::new();
+    for paper in papers {
+        let names = (paper.ids)()?;
+        let whole = ids.iter().any(|id| id.eq_ignore_ascii_case(paper.slug));
+        let is_own = |id: &&String| names.iter().any(|name| name.eq_ignore_ascii_case(id));
+        let own: Vec<String> = ids.iter().filter(is_own).cloned().collect();
+        unknown.retain(|id| !is_own(id) && !id.eq_ignore_ascii_case(paper.slug));
+        if ids.is_empty() || whole {
+            found.push((paper, Vec::new()));
+        } else if !own.is_empty() {
+            found.push((paper, own));
+        }
+        known.push(format!("{} ({})", paper.slug, names.join(", ")));
+    }
+    match unknown.first() {
+        None => Ok(found),
+        Some(id) => Err(Failure::Usage(format!(
+            "nothing to reproduce is called '{id}'; there are {}",
+            known.join("; ")
         ))
         .into()),
     }
@@ -115,139 +146,61 @@ fn folder(args: &Args) -> PathBuf {
     } else {
         "reports"
     };
-    args.out
-        .clone()
-        .unwrap_or_else(|| PathBuf::from(default).join(PAPER))
+    args.out.clone().unwrap_or_else(|| default.into())
 }
 
-/// Runs what `topics` need, each experiment once.
-fn experiment(definition: &Definition, topics: &[Topic]) -> Result<Records> {
-    let needed = |experiment| {
-        topics
-            .iter()
-            .any(|topic| topics::experiments(topic).contains(&experiment))
-    };
-    let mut records = Records::default();
-    if needed(Experiment::Sizes) {
-        experiments::sizes::run(definition, &mut records)?;
-    }
-    if needed(Experiment::Counts) {
-        experiments::counts::run(definition, &mut records)?;
-    }
-    if needed(Experiment::Times) {
-        experiments::times::run(definition, &mut records)?;
-    }
-    if needed(Experiment::Peels) {
-        experiments::peels::run(definition, &mut records)?;
-    }
-    if needed(Experiment::Lattices) {
-        experiments::peels::lattices(definition, &mut records)?;
-    }
-    if needed(Experiment::Tolerance) {
-        experiments::tolerance::run(definition, &mut records)?;
-    }
-    Ok(records)
-}
-
-/// Writes everything that `topics` ask for, and the records. Returns the verdicts.
-fn report(
-    folder: &Folder,
-    definition: &Definition,
-    topics: &[Topic],
-    records: &Records,
-    published: &Published,
-) -> Result<Vec<Verdict>> {
-    for topic in topics {
-        match topic {
-            Topic::Table1 => render::table1::write(folder, records, published)?,
-            Topic::Table2 => render::table2::write(folder, records, published)?,
-            Topic::Figure1 => {
-                let data = &definition.tolerance.random;
-                let title = "100 random points of the unit square";
-                render::peels::write(
-                    folder,
-                    definition.seed,
-                    Figure {
-                        name: "figure1",
-                        title,
-                        data,
-                    },
-                )?;
-            }
-            Topic::Figure2 => {
-                let data = &definition.tolerance.exact_lattice;
-                let title = "An oblique lattice of 100 points";
-                render::peels::write(
-                    folder,
-                    definition.seed,
-                    Figure {
-                        name: "figure2",
-                        title,
-                        data,
-                    },
-                )?;
-            }
-            Topic::Figure7 => render::growth::write(folder, records)?,
-            Topic::Storage => render::peeling::write_storage(folder, records)?,
-            Topic::Peeling => render::peeling::write_peeling(folder, records)?,
-            Topic::Claim(_) => {}
+/// Writes `REPORT.md`, the page that leads to the papers' own.
+fn write_index(folder: &Folder, judged: &[(&Paper, Judged)]) -> Result<()> {
+    let mut body = String::from(
+        "Each paper's tables and figures regenerated, and each of its claims judged by an experiment that could have \
+         come out otherwise.\n\n",
+    );
+    for (paper, judged) in judged {
+        body += &format!("## [{}]({}/REPORT.md)\n\n", paper.title, paper.slug);
+        if !judged.verdicts.is_empty() {
+            let summary = render::claims::summary(&judged.verdicts, &judged.claims);
+            body += &format!("{}\n", summary.markdown());
         }
     }
-    let (verdicts, predictions) = judge(topics, records, published);
-    if !verdicts.is_empty() {
-        render::claims::write(folder, &verdicts, &predictions, published)?;
-    }
-    for (name, text, rows) in records.files()? {
-        if rows > 0 {
-            folder.csv(&format!("records-{name}"), &text)?;
-        }
-    }
-    render::index::write(
-        folder,
-        definition,
-        topics,
-        records,
-        &verdicts,
-        &predictions,
-        published,
-    )?;
-    Ok(verdicts)
-}
-
-/// The verdicts on the claims among `topics`, and the predictions if there are any.
-fn judge<'a>(
-    topics: &[Topic],
-    records: &Records,
-    published: &'a Published,
-) -> (Vec<Verdict>, Vec<Checked<'a>>) {
-    let verdicts = topics
-        .iter()
-        .filter_map(|topic| match topic {
-            Topic::Claim(id) => verdicts::judge(id, records, published),
-            _ => None,
-        })
-        .collect();
-    (verdicts, verdicts::predictions::check(records, published))
+    folder.markdown("REPORT.md", "The papers, reproduced", &body)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::path::Path;
+
+    fn texts(folder: &Path) -> Vec<(String, String)> {
+        let entries = std::fs::read_dir(folder).expect("a folder");
+        let mut texts: Vec<(String, String)> = entries
+            .map(|entry| {
+                let path = entry.expect("a file").path();
+                let name = path
+                    .file_name()
+                    .expect("a name")
+                    .to_string_lossy()
+                    .into_owned();
+                (name, std::fs::read_to_string(&path).expect("text"))
+            })
+            .collect();
+        texts.sort();
+        texts
+    }
 
     #[test]
     fn every_file_of_a_report_says_where_it_comes_from() {
         let folder = tempfile::tempdir().expect("a folder");
         let args = Args {
+            all: false,
             ids: ["figure1", "figure2", "gs-8"].map(str::to_owned).to_vec(),
             quick: true,
             out: Some(folder.path().to_owned()),
             seed: Some(3),
         };
         run(&args).expect("a report");
-        let mut names = Vec::new();
-        for entry in std::fs::read_dir(folder.path()).expect("a folder") {
-            let path = entry.expect("a file").path();
-            let text = std::fs::read_to_string(&path).expect("text");
+        let paper = folder.path().join("green-silverman-1979");
+        let texts = texts(&paper);
+        for (name, text) in &texts {
             let head: String = text.lines().take(20).collect();
             for needed in [
                 "command: hullbench reproduce figure1",
@@ -256,14 +209,10 @@ mod tests {
                 "machine: ",
                 "date: ",
             ] {
-                assert!(head.contains(needed), "{}: {needed}", path.display());
+                assert!(head.contains(needed), "{name}: {needed}");
             }
-            names.extend(
-                path.file_name()
-                    .map(|name| name.to_string_lossy().into_owned()),
-            );
         }
-        names.sort();
+        let names: Vec<&str> = texts.iter().map(|(name, _)| name.as_str()).collect();
         let expected = [
             "REPORT.md",
             "claims.csv",
@@ -277,5 +226,29 @@ mod tests {
         assert_eq!(names, expected);
         let report = std::fs::read_to_string(folder.path().join("REPORT.md")).expect("text");
         assert!(report.contains("**CONFIRMED**"));
+    }
+
+    #[test]
+    fn ids_find_their_papers() {
+        let ids = |ids: &[&str]| {
+            let ids: Vec<String> = ids.iter().map(|id| (*id).to_owned()).collect();
+            wanted(PAPERS, &ids).map(|found| {
+                let slug = |(paper, ids): (&Paper, Vec<String>)| (paper.slug, ids);
+                found.into_iter().map(slug).collect::<Vec<_>>()
+            })
+        };
+        assert_eq!(ids(&[]).expect("all").len(), PAPERS.len());
+        assert_eq!(
+            ids(&["green-silverman-1979"]).expect("a paper"),
+            [("green-silverman-1979", vec![])]
+        );
+        let claim = ids(&["gs-8"]).expect("a claim");
+        assert_eq!(claim, [("green-silverman-1979", vec!["gs-8".to_owned()])]);
+        assert!(
+            ids(&["table99"])
+                .expect_err("unknown")
+                .to_string()
+                .contains("'table99'")
+        );
     }
 }

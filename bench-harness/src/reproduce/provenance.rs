@@ -11,11 +11,12 @@ pub(crate) struct Provenance {
 }
 
 impl Provenance {
-    /// Describes this run, this machine and this build.
-    pub(crate) fn collect(command: String, seed: u64) -> Self {
+    /// Describes this run, this machine and this build; `None` for the seed where definitions name their own.
+    pub(crate) fn collect(command: String, seed: Option<u64>) -> Self {
+        let seed = seed.map_or_else(|| "the definitions'".to_owned(), |seed| seed.to_string());
         let entries = vec![
             ("command", command),
-            ("seed", seed.to_string()),
+            ("seed", seed),
             ("commit", commit()),
             ("machine", machine()),
             ("kernel", first_line("/proc/sys/kernel/osrelease")),
@@ -155,7 +156,7 @@ mod tests {
 
     #[test]
     fn every_line_is_a_comment() {
-        let provenance = Provenance::collect("hullbench reproduce".into(), 5);
+        let provenance = Provenance::collect("hullbench reproduce".into(), Some(5));
         assert!(
             provenance
                 .comment("# ")

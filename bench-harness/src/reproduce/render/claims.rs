@@ -1,41 +1,17 @@
-//! The claims and the verdicts on them.
+//! Claims and the verdicts on them, for any paper.
 
-use super::folder::Folder;
-use super::sheet::{Sheet, fixed};
-use crate::reproduce::published::Published;
-use crate::reproduce::verdicts::predictions::Checked;
-use crate::reproduce::verdicts::{Outcome, Verdict};
-use anyhow::Result;
+use super::sheet::Sheet;
+use crate::reproduce::data::Claim;
+use crate::reproduce::verdict::{Outcome, Verdict};
 
-/// Writes `claims.md` and `claims.csv`.
-pub(crate) fn write(
-    folder: &Folder,
-    verdicts: &[Verdict],
-    predictions: &[Checked<'_>],
-    published: &Published,
-) -> Result<()> {
-    let mut body = String::from(
-        "The claims are the paper's, in our words. A verdict is computed from the records of this run and holds for \
-         the range it names.\n\n",
-    );
-    for verdict in verdicts {
-        body += &section(verdict, published);
-    }
-    body += &format!(
-        "## Predictions published before the run\n\n{}",
-        predicted(predictions).markdown()
-    );
-    folder.markdown(
-        "claims.md",
-        "The claims of Green and Silverman (1979)",
-        &body,
-    )?;
-    folder.csv("claims.csv", &long(verdicts).csv())
+fn find<'a>(claims: &'a [Claim], id: &str) -> Option<&'a Claim> {
+    claims.iter().find(|claim| claim.id == id)
 }
 
-fn section(verdict: &Verdict, published: &Published) -> String {
+/// A claim, how it was tested, and the outcome of each part.
+pub(crate) fn section(verdict: &Verdict, claims: &[Claim]) -> String {
     let mut text = format!("## {}: {}\n\n", verdict.id, verdict.outcome);
-    if let Some(claim) = published.claim(verdict.id) {
+    if let Some(claim) = find(claims, verdict.id) {
         text += &format!(
             "**Claim** (section {}): {}\n\n**Test**: {}\n\n",
             claim.section, claim.statement, claim.test
@@ -60,7 +36,8 @@ fn section(verdict: &Verdict, published: &Published) -> String {
     }
 }
 
-fn long(verdicts: &[Verdict]) -> Sheet {
+/// Every part of every verdict, a row each.
+pub(crate) fn long(verdicts: &[Verdict]) -> Sheet {
     let mut sheet = Sheet::new(&["claim", "verdict", "part", "outcome", "statistic"]);
     for verdict in verdicts {
         for part in &verdict.parts {
@@ -77,7 +54,7 @@ fn long(verdicts: &[Verdict]) -> Sheet {
 }
 
 /// The verdicts in one table.
-pub(crate) fn summary(verdicts: &[Verdict], published: &Published) -> Sheet {
+pub(crate) fn summary(verdicts: &[Verdict], claims: &[Claim]) -> Sheet {
     let mut sheet = Sheet::new(&["claim", "", "verdict", "parts confirmed"]);
     for verdict in verdicts {
         let confirmed = verdict
@@ -85,43 +62,13 @@ pub(crate) fn summary(verdicts: &[Verdict], published: &Published) -> Sheet {
             .iter()
             .filter(|part| part.outcome == Outcome::Confirmed)
             .count();
-        let statement = published
-            .claim(verdict.id)
-            .map_or_else(String::new, |claim| claim.statement.clone());
+        let statement =
+            find(claims, verdict.id).map_or_else(String::new, |claim| claim.statement.clone());
         sheet.push(vec![
             verdict.id.to_owned(),
             statement,
             format!("**{}**", verdict.outcome),
             format!("{confirmed} of {}", verdict.parts.len()),
-        ]);
-    }
-    sheet
-}
-
-/// The predictions that this run measured, in one table.
-pub(crate) fn predicted(predictions: &[Checked<'_>]) -> Sheet {
-    let mut sheet = Sheet::new(&[
-        "prediction",
-        "measure",
-        "in the paper",
-        "predicted",
-        "measured",
-        "held",
-    ]);
-    for checked in predictions {
-        let Some(held) = checked.held() else { continue };
-        let prediction = checked.prediction;
-        sheet.push(vec![
-            prediction.statement.clone(),
-            prediction.measure.clone(),
-            fixed(prediction.published, 2),
-            format!("{} to {}", prediction.low, prediction.high),
-            fixed(checked.measured, 4),
-            if held {
-                "yes".to_owned()
-            } else {
-                "**no**".to_owned()
-            },
         ]);
     }
     sheet

@@ -1,14 +1,6 @@
 //! Reports from records: Markdown and CSV for every table, SVG and CSV for every figure.
-//!
-//! Nothing here runs an algorithm on a clock; the pictures of Figures 1 and 2 are peeled anew.
 
 pub(crate) mod claims;
 pub(crate) mod folder;
-pub(crate) mod growth;
-pub(crate) mod index;
-pub(crate) mod peeling;
-pub(crate) mod peels;
 pub(crate) mod plot;
 pub(crate) mod sheet;
-pub(crate) mod table1;
-pub(crate) mod table2;
