@@ -79,15 +79,12 @@ impl Frame {
     ///
     /// One pass, no allocation.
     pub fn of(points: &[Point2]) -> Self {
-        let (mut least, mut top) = (i32::MAX, i32::MIN);
-        for &coordinate in points.as_flattened() {
-            if coordinate != 0.0 {
-                let value = Dyadic::of(coordinate);
-                least = least.min(value.lowest_bit());
-                top = top.max(value.above_highest_bit());
-            }
-        }
-        let width = match top.saturating_sub(least) {
+        let (least, bits) = extent(points);
+        Self::new(least, bits)
+    }
+
+    fn new(least: i32, bits: i32) -> Self {
+        let width = match bits {
             ..=61 => Width::Narrow,
             62..=125 => Width::Medium,
             _ => Width::Big,
@@ -138,6 +135,20 @@ impl Frame {
         let right: BigInt = (&b[1] - &a[1]) * (&c[0] - &a[0]);
         left.cmp(&right)
     }
+}
+
+/// The exponent of the least power of two over which all coordinates are integers, and the number of bits of the
+/// widest of these integers.
+fn extent<const D: usize>(points: &[[f64; D]]) -> (i32, i32) {
+    let (mut least, mut top) = (i32::MAX, i32::MIN);
+    for &coordinate in points.as_flattened() {
+        if coordinate != 0.0 {
+            let value = Dyadic::of(coordinate);
+            least = least.min(value.lowest_bit());
+            top = top.max(value.above_highest_bit());
+        }
+    }
+    (least, top.saturating_sub(least).max(0))
 }
 
 /// Compares by x, then by y: the order in which a polygon starts and a segment runs.

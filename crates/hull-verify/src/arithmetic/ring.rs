@@ -15,18 +15,19 @@ pub trait Ring: Sized {
     fn ordering(&self) -> Ordering;
 }
 
+/// Exact as long as no result overflows, like [`Int`].
 impl Ring for i128 {
     #[inline(always)]
     fn plus(&self, other: &Self) -> Self {
-        self + other
+        self.wrapping_add(*other)
     }
     #[inline(always)]
     fn minus(&self, other: &Self) -> Self {
-        self - other
+        self.wrapping_sub(*other)
     }
     #[inline(always)]
     fn times(&self, other: &Self) -> Self {
-        self * other
+        self.wrapping_mul(*other)
     }
     #[inline(always)]
     fn ordering(&self) -> Ordering {

@@ -5,16 +5,15 @@
 //!
 //! | question | determinant below | bits with sign |
 //! |---|---|---|
-//! | [`turn`](Scale::turn) | 2²ʷ⁺³ | 2w + 4 |
 //! | [`side`](Scale::side) | 2³ʷ⁺⁶ | 3w + 7 |
 //! | [`in_circle`](Scale::in_circle) | 2⁴ʷ⁺⁸ | 4w + 9 |
 //!
-//! which decides whether it is computed in 128, 256, 384 or 512 bits or in big integers. The bounds hold for every
-//! intermediate result too.
+//! which decides whether it is computed in 128, 192, 256, 384 or 512 bits or in big integers. The bounds hold for every
+//! intermediate result too. The turn of a shadow is that of the plane ([`Frame::turn`]).
 
-use super::Turn;
 use super::dyadic::Dyadic;
 use super::ring::{Int, Ring};
+use super::{Frame, Turn, extent};
 use geometry_core::{Axis, Point2, Point3};
 use num_bigint::BigInt;
 use std::cmp::Ordering;
@@ -61,6 +60,7 @@ pub struct Scale {
 /// The integers wide enough for a determinant.
 enum Width {
     Bits128,
+    Bits192,
     Bits256,
     Bits384,
     Bits512,
@@ -74,18 +74,8 @@ impl Scale {
     ///
     /// One pass, no allocation.
     pub fn of<const D: usize>(points: &[[f64; D]]) -> Self {
-        let (mut least, mut top) = (i32::MAX, i32::MIN);
-        for &coordinate in points.as_flattened() {
-            if coordinate != 0.0 {
-                let value = Dyadic::of(coordinate);
-                least = least.min(value.lowest_bit());
-                top = top.max(value.above_highest_bit());
-            }
-        }
-        Self {
-            least,
-            bits: top.saturating_sub(least).max(0),
-        }
+        let (least, bits) = extent(points);
+        Self { least, bits }
     }
 
     /// How many bits the widest coordinate has.
@@ -103,6 +93,7 @@ impl Scale {
         let others = [b, c, d];
         Side::from(match self.width(3 * self.bits + 7) {
             Width::Bits128 => volume::<i128>(self.vectors(a, others)),
+            Width::Bits192 => volume::<Int<3>>(self.vectors(a, others)),
             Width::Bits256 => volume::<Int<4>>(self.vectors(a, others)),
             Width::Bits384 => volume::<Int<6>>(self.vectors(a, others)),
             Width::Bits512 => volume::<Int<8>>(self.vectors(a, others)),
@@ -113,14 +104,8 @@ impl Scale {
     /// The turn of the shadows of a, b, c, seen from the far positive end of `axis`.
     #[inline]
     pub fn turn(&self, axis: Axis, a: Point3, b: Point3, c: Point3) -> Turn {
-        let [a, others] = [[a, a], [b, c]].map(|pair| pair.map(|p| shadow(axis, p)));
-        Turn::from(match self.width(2 * self.bits + 4) {
-            Width::Bits128 => area::<i128>(self.vectors(a[0], others)),
-            Width::Bits256 => area::<Int<4>>(self.vectors(a[0], others)),
-            Width::Bits384 => area::<Int<6>>(self.vectors(a[0], others)),
-            Width::Bits512 => area::<Int<8>>(self.vectors(a[0], others)),
-            Width::Big => area(self.big_vectors(a[0], others)),
-        })
+        let [a, b, c] = [a, b, c].map(|p| shadow(axis, p));
+        Frame::new(self.least, self.bits).turn(a, b, c)
     }
 
     /// Whether a, b, c lie on one line.
@@ -136,6 +121,7 @@ impl Scale {
         let others = [a, b, c];
         match self.width(4 * self.bits + 9) {
             Width::Bits128 => lifted::<i128>(self.vectors(d, others)),
+            Width::Bits192 => lifted::<Int<3>>(self.vectors(d, others)),
             Width::Bits256 => lifted::<Int<4>>(self.vectors(d, others)),
             Width::Bits384 => lifted::<Int<6>>(self.vectors(d, others)),
             Width::Bits512 => lifted::<Int<8>>(self.vectors(d, others)),
@@ -148,7 +134,8 @@ impl Scale {
         match needed {
             _ if self.bits > 126 => Width::Big,
             ..=128 => Width::Bits128,
-            129..=256 => Width::Bits256,
+            129..=192 => Width::Bits192,
+            193..=256 => Width::Bits256,
             257..=384 => Width::Bits384,
             385..=512 => Width::Bits512,
             _ => Width::Big,
@@ -209,12 +196,6 @@ pub fn order3(a: Point3, b: Point3) -> Ordering {
 #[inline(always)]
 fn cross<T: Ring>(a: &T, b: &T, c: &T, d: &T) -> T {
     a.times(d).minus(&b.times(c))
-}
-
-/// The sign of u × v.
-#[inline(always)]
-fn area<T: Ring>([u, v]: [[T; 2]; 2]) -> Ordering {
-    cross(&u[0], &u[1], &v[0], &v[1]).ordering()
 }
 
 /// The sign of u × v · w.
