@@ -5,7 +5,7 @@
 //! the number of comparisons depends on the input alone, not on the version of the standard library, so that
 //! counts are equal everywhere.
 //!
-//! Bottom-up: runs of [`RUN`] by insertion, then merges of neighbouring runs, back and forth between the ids
+//! Bottom-up: runs of eight by insertion, then merges of neighbouring runs, back and forth between the ids
 //! and a scratch slice of the same length. Stable. O(m log m) comparisons for m ids.
 
 use std::cmp::Ordering;

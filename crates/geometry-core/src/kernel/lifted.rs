@@ -14,6 +14,9 @@ use std::cmp::Ordering;
 
 /// Answers about (x, y, z) as if z were x² + y² without rounding. `K` must be exact.
 ///
+/// Under [`Perturbed`](crate::Perturbed), ask for shadows along Z only: a tie along X or Y would be broken by the
+/// third coordinate as it is given.
+///
 /// ```
 /// use geometry_core::{Exact, Kernel3, Lifted, Sign};
 /// let kernel = Lifted(Exact);
