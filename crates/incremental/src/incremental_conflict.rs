@@ -30,8 +30,8 @@
 //!
 //! 1. Before each insertion the surface is the hull of the points inserted so far.
 //! 2. The graph holds an arc for exactly the pairs of a point not yet inserted and a facet that it sees.
-//! 3. The region seen by a point is connected; one that contains a new facet over e and not only new facets contains
-//!    the facet beyond e, or a facet that was dropped, at e. De Berg et al., Lemma 11.3.
+//! 3. A point outside the new hull that sees the new facet over e sees one of the two old facets at e: the plane of
+//!    the new facet lies between theirs, so what is above it is above one of them.
 //!
 //! **Departures.** See [`DEPARTURES`].
 //!

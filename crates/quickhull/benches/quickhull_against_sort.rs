@@ -31,7 +31,6 @@ fn main() {
     let mut group = criterion.benchmark_group("quickhull-3d-1e6");
     group.throughput(Throughput::Elements(N as u64));
     group.bench_function("ball", |bencher| bencher.iter(|| hull(&ball)));
-    group.bench_function("sphere", |bencher| bencher.iter(|| hull(&sphere)));
     group.bench_function("sort_unstable", |bencher| {
         bencher.iter_batched(|| numbers.clone(), sorted, BatchSize::LargeInput);
     });

@@ -24,8 +24,8 @@
 //!
 //! **Bound.** O(n log n) for points whose partitions are balanced, as the paper assumes; O(n²) at worst. Measured
 //! plane questions a point, flat in n from 10³ to 10⁶: 12 in a ball, 8 in a cube, 5 for the normal and
-//! the Cauchy distribution. On a sphere it is n log n: 35, 51, 66 at n = 10³, 10⁴, 10⁵. Space: n ids twice over,
-//! 16 bytes and six links a facet.
+//! the Cauchy distribution. On a sphere it is n log n: 35, 51, 66 at n = 10³, 10⁴, 10⁵. Space: up to 5 n ids for
+//! the outside sets and for partitioning, and 40 bytes a facet.
 //!
 //! **Invariants.** In the terms of the perturbed kernel, for which no four distinct points are coplanar:
 //!
@@ -172,18 +172,7 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
     /// Steps 3 and 4 for the point `apex`, which is outside `facet`.
     fn add(&mut self, facet: TriangleId, apex: u32) -> Result<(), HullError> {
         self.observer.step(|| Step::Apex(apex));
-        let Self {
-            points,
-            kernel,
-            mesh,
-            horizon,
-            ..
-        } = self;
-        let point = points[apex];
-        horizon.search(mesh, facet, |facet| {
-            let [a, b, c] = mesh.corners(facet).map(|id| points[id]);
-            kernel.orient3(a, b, c, point).is_positive()
-        })?;
+        self.find_horizon(facet, apex)?;
         self.pool.clear();
         for &facet in &self.horizon.visible {
             let [a, b, c] = self.mesh.corners(facet);
@@ -198,6 +187,14 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
         self.observer.step(|| Step::Insert(apex));
         self.partition();
         Ok(())
+    }
+
+    fn find_horizon(&mut self, start: TriangleId, apex: u32) -> Result<(), HullError> {
+        let (points, kernel, mesh) = (self.points, &self.kernel, &self.mesh);
+        self.horizon.search(mesh, start, |facet| {
+            let [a, b, c] = mesh.corners(facet).map(|id| points[id]);
+            kernel.orient3(a, b, c, points[apex]).is_positive()
+        })
     }
 
     /// Gives each point of the pool to the first facet made that it is outside of, and drops the others.
@@ -238,12 +235,17 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
         let apex = furthest(self.points, &self.kernel, corners, found.iter().copied());
         if let Some(apex) = apex {
             self.outside.put(facet, found, apex);
-            self.pending.push_back(facet);
-            if self.pending.len() > 2 * REGION {
-                self.later.push(self.pending.split_off(REGION));
-            }
             let stored = self.outside.stored();
             self.observer.step(|| Step::Storage(stored as u32));
+            self.put_off(facet);
+        }
+    }
+
+    /// Puts a facet with points outside behind those that are waiting.
+    fn put_off(&mut self, facet: TriangleId) {
+        self.pending.push_back(facet);
+        if self.pending.len() > 2 * REGION {
+            self.later.push(self.pending.split_off(REGION));
         }
     }
 }
