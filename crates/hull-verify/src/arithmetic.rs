@@ -11,7 +11,8 @@
 //! | `Big` | any (2098 bits at most) | [`BigInt`] |
 //!
 //! Points drawn uniformly are narrow, a million from a normal distribution medium. The only operation on
-//! `f64` values themselves is comparison, which the machine does exactly.
+//! `f64` values themselves is comparison, which the machine does exactly. The sides of planes and the insides of
+//! circles are decided in the same way ([`scale`]).
 
 pub mod dyadic;
 pub mod ring;

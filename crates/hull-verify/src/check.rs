@@ -30,18 +30,21 @@
 //! induction for all that remains; a copy of a corner of ring i would be a corner of ring i+1 too; and if no
 //! point of rank i+1 is on the boundary of ring i, neither is anything inside ring i+1. So all layers together
 //! cost no more than one pass over the points.
+//!
+//! The arguments for hulls in space and for Delaunay triangulations are at the top of [`space`] and
+//! [`triangulation`].
 
 mod cycle;
-mod delaunay;
 mod finding;
 mod layers;
 mod outline;
-mod space;
+pub mod space;
+pub mod triangulation;
 
-pub use delaunay::{DelaunayCertificate, DelaunayFinding, delaunay};
 pub use finding::Finding;
 pub use layers::{LayersCertificate, layers};
 pub use space::{Certificate3, Finding3, Order, hull3};
+pub use triangulation::{DelaunayCertificate, DelaunayFinding, delaunay};
 
 use crate::arithmetic::{Frame, Width};
 use geometry_core::{Boundary, Hull2, Point2};

@@ -1,18 +1,24 @@
-//! Proof that a planar hull, or the convex layers of a planar set, is right.
+//! Proof that a convex hull, in the plane or in space, the convex layers of a planar set, or a Delaunay triangulation
+//! is right.
 //!
 //! # What it proves
 //!
-//! [`check::hull2`] takes points, a [`Boundary`](geometry_core::Boundary) and a claimed
-//! [`Hull2`](geometry_core::Hull2) and either gives a [`Certificate2`](check::Certificate2) or says what is
-//! wrong ([`Finding`](check::Finding)). A certificate means that the claimed value is *the* hull: there is
-//! one right value for given points and boundary, and it is that one. [`check::layers`] does the same for
-//! convex layers.
+//! Each check takes points and a claimed value, and either gives a certificate or says what is wrong. A certificate
+//! means that the claimed value is *the* right one: there is one right value for given points, and it is that one
+//! (of Delaunay triangulations of cocircular points there are several, and it is one of them).
+//!
+//! | check | claim | certificate, or findings |
+//! |---|---|---|
+//! | [`check::hull2`] | [`Hull2`](geometry_core::Hull2) | [`Certificate2`](check::Certificate2), [`Finding`](check::Finding) |
+//! | [`check::layers`] | [`Layers`](geometry_core::Layers) | [`LayersCertificate`](check::LayersCertificate), [`Finding`](check::Finding) |
+//! | [`check::hull3`] | [`Hull3`](geometry_core::Hull3) | [`Certificate3`](check::Certificate3), [`Finding3`](check::Finding3) |
+//! | [`check::delaunay`] | [`Triangulation`](geometry_core::Triangulation) | [`DelaunayCertificate`](check::DelaunayCertificate), [`DelaunayFinding`](check::DelaunayFinding) |
 //!
 //! # What it assumes
 //!
 //! Nothing of the algorithms, and no arithmetic of theirs. Coordinates become integers times one power of
 //! two ([`arithmetic`]), in code written here and tested against `num-bigint`; no question is put to a kernel
-//! of `geometry-core`. From that crate come only the types of points, hulls, layers and methods. What is left to
+//! of `geometry-core`. From that crate come only the types of points, results and methods. What is left to
 //! trust is integer arithmetic, the comparison of two finite `f64` by the machine, and the argument written
 //! at the top of [`check`].
 //!
@@ -20,10 +26,10 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`arithmetic`] | the side of a line, exactly, for any finite `f64` |
-//! | [`check`] | the certificate, in O(n log h) |
-//! | [`oracle`] | hulls and layers straight from the definition, in O(n² h) |
-//! | [`families`] | the degenerate point sets of the plane, by name |
+//! | [`arithmetic`] | the sides of lines, planes and circles, exactly, for any finite `f64` |
+//! | [`check`] | the certificates: O(n log h) in the plane, a walk a point in space |
+//! | [`oracle`] | hulls and layers straight from the definition: O(n² h) in the plane, O(n⁴) in space |
+//! | [`families`], [`families_space`] | the degenerate point sets of the plane and of space, by name |
 //! | [`conformance`] | the whole suite for any method, in one line |
 //!
 //! # Example

@@ -1,4 +1,4 @@
-//! Hulls and layers straight from the definition, for small sets.
+//! Hulls and layers straight from the definition, for small sets. In space: [`hull3`].
 //!
 //! An edge of the hull is a directed pair of points with no point to its right. From a boundary point p the
 //! pairs p→q of that kind all lead in one direction, along the edge that leaves p; the nearest such q is the next

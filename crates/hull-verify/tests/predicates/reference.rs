@@ -1,6 +1,6 @@
 //! The determinants in big integers: coordinates over the least power of two among them.
 
-use geometry_core::Sign;
+use geometry_core::{Axis, Sign};
 use num_bigint::BigInt;
 
 /// The sign of (b-a) × (d-c).
@@ -10,11 +10,43 @@ pub(crate) fn cross(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Sign 
 }
 
 /// The sign of (b-a) × (c-a) · (d-a).
-pub(crate) fn orient_in_space(points: &[[f64; 3]; 4]) -> Sign {
-    let [a, b, c, d] = integers(points);
-    let [b, c, d] = [b, c, d].map(|p| difference(&p, &a));
+pub(crate) fn orient_in_space(&[a, b, c, d]: &[[f64; 3]; 4]) -> Sign {
+    height_difference(&[a, b, c, d, a])
+}
+
+/// The sign of (b-a) × (c-a) · (p-q): `Positive` if p is higher over the plane abc than q.
+pub(crate) fn height_difference(points: &[[f64; 3]; 5]) -> Sign {
+    higher(&integers(points))
+}
+
+/// [`height_difference`] of points lifted to the paraboloid.
+pub(crate) fn lifted_height_difference(points: &[[f64; 2]; 5]) -> Sign {
+    let lifted = integers(points).map(|[x, y]| {
+        let square = &x * &x + &y * &y;
+        [x, y, square]
+    });
+    higher(&lifted)
+}
+
+/// The sign of the coordinate `axis` of (b-a) × (c-a) for a, b, c lifted to the paraboloid.
+pub(crate) fn lifted_shadow(points: &[[f64; 2]; 3], axis: Axis) -> Sign {
+    let [a, b, c] = integers(points).map(|[x, y]| {
+        let square = &x * &x + &y * &y;
+        [x, y, square]
+    });
+    let [b, c] = [b, c].map(|p| difference(&p, &a));
+    let (i, j) = match axis {
+        Axis::X => (1, 2),
+        Axis::Y => (2, 0),
+        Axis::Z => (0, 1),
+    };
+    sign(&(&b[i] * &c[j] - &b[j] * &c[i]))
+}
+
+fn higher([a, b, c, p, q]: &[[BigInt; 3]; 5]) -> Sign {
+    let [b, c, up] = [difference(b, a), difference(c, a), difference(p, q)];
     let minor = |i: usize, j: usize| &b[i] * &c[j] - &b[j] * &c[i];
-    sign(&(minor(1, 2) * &d[0] + minor(2, 0) * &d[1] + minor(0, 1) * &d[2]))
+    sign(&(minor(1, 2) * &up[0] + minor(2, 0) * &up[1] + minor(0, 1) * &up[2]))
 }
 
 /// The sign of the in-circle determinant: `Positive` for d inside the circle through a, b, c anticlockwise.
