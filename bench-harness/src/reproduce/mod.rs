@@ -6,6 +6,8 @@
 //! | one folder a paper | its definition, experiments, records, verdicts and report |
 //! | [`data`] | definitions, published figures and claims, from `data/` |
 //! | [`stats`], [`theory`] | statistics; expected numbers of vertices |
+//! | [`space`] | what papers on hulls in space share: sets, certificates, counts, rows |
+//! | [`timing`] | samples of time, interleaved and warm |
 //! | [`verdict`] | outcomes and how parts make a whole |
 //! | [`render`] | the pieces of a report: sheets, plots, claims, the folder |
 //! | [`provenance`], [`progress`], [`parallel`] | where a report comes from; how far it is; two sets at a time |
@@ -17,8 +19,10 @@ mod parallel;
 mod progress;
 mod provenance;
 mod render;
+mod space;
 mod stats;
 mod theory;
+mod timing;
 mod verdict;
 
 use crate::failure::Failure;

@@ -1,12 +1,7 @@
 //! Times, interleaved and warm, of certified results only (Table 2, Figure 7, GS-1, GS-4, GS-6).
 //!
-//! Every round takes one sample of every method on every realisation, the methods in an order shuffled anew,
-//! so that what disturbs the machine disturbs all of them. GS takes part twice: its second entry shows the
-//! noise of a program against itself.
-//!
-//! A realisation of small n is a batch of sets, called in turn: called on one small set again and again, a
-//! processor learns its branches by heart, and the time is that of no set it has not seen. The batch is
-//! called as often as it takes for a sample to last a millisecond.
+//! GS takes part twice: its second entry shows the noise of a program against itself. A realisation of small n
+//! is a batch of different sets.
 
 use super::certify::certify;
 use super::hull_method;
@@ -16,18 +11,13 @@ use crate::reproduce::green_silverman::records::{Records, TimeRow};
 use crate::reproduce::green_silverman::sets::PointSet;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
+use crate::reproduce::timing::{Contestant, Sample, interleave};
 use anyhow::Result;
-use geometry_core::{Boundary, Hull2, HullError, Points};
-use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use geometry_core::{Boundary, HullError, Points};
 use std::hint::black_box;
-use std::time::{Duration, Instant};
 
 /// The name under which GS takes part a second time.
 pub(crate) const TWIN: &str = "gs-twin";
-
-/// A sample lasts at least this long.
-const SHORTEST: Duration = Duration::from_millis(1);
 
 /// Times every cell of the definition.
 pub(crate) fn run(definition: &Definition, records: &mut Records) -> Result<()> {
@@ -49,15 +39,6 @@ pub(crate) fn run(definition: &Definition, records: &mut Records) -> Result<()> 
     Ok(())
 }
 
-type HullFunction = fn(Points<'_, 2>, Boundary) -> Result<Hull2, HullError>;
-
-/// A method that takes part, and how often it goes through a batch for one sample.
-struct Contestant {
-    name: String,
-    hull: HullFunction,
-    passes: u64,
-}
-
 fn cell(
     seed: u64,
     distribution: &str,
@@ -74,24 +55,24 @@ fn cell(
     let Some(first) = views.first() else {
         return Ok(());
     };
-    let mut contestants = contestants(distribution, n, block, records, first)?;
-    let mut random = ChaCha8Rng::seed_from_u64(seed ^ n as u64);
-    for round in 0..block.rounds {
-        for (realisation, sets) in (0..).zip(&views) {
-            shuffle(&mut contestants, &mut random);
-            for contestant in &contestants {
-                records.times.push(TimeRow {
-                    distribution: distribution.to_owned(),
-                    n,
-                    realisation,
-                    round,
-                    method: contestant.name.clone(),
-                    calls: contestant.passes * sets.len() as u64,
-                    nanoseconds: sample(contestant.hull, sets, contestant.passes).as_nanos() as u64,
-                });
-            }
-        }
+    let calls = certified_calls(distribution, n, block, records)?;
+    let mut contestants = Vec::new();
+    for (name, call) in &calls {
+        let contestant = Contestant::warm(name, call, first);
+        contestants.extend((name == "gs").then(|| contestant.twin(TWIN)));
+        contestants.push(contestant);
     }
+    let samples = interleave(contestants, &views, block.rounds, seed ^ n as u64);
+    let row = |sample: Sample| TimeRow {
+        distribution: distribution.to_owned(),
+        n,
+        realisation: sample.realisation,
+        round: sample.round,
+        method: sample.name,
+        calls: sample.calls,
+        nanoseconds: sample.nanoseconds,
+    };
+    records.times.extend(samples.into_iter().map(row));
     Ok(())
 }
 
@@ -124,60 +105,23 @@ fn realisations(
     Ok(realisations)
 }
 
-/// The methods certified on every set of the cell, warm; GS twice.
-fn contestants(
+/// A call of each method that is certified on every set of the cell.
+fn certified_calls(
     distribution: &str,
     n: usize,
     block: &Times,
     records: &Records,
-    sets: &[Points<'_, 2>],
-) -> Result<Vec<Contestant>> {
-    let mut contestants = Vec::new();
-    for method in block
-        .methods
-        .iter()
-        .filter(|method| !records.failed(distribution, n, method))
-    {
+) -> Result<Vec<(String, impl Fn(&Points<'_, 2>) + use<>)>> {
+    let mut calls = Vec::new();
+    for method in &block.methods {
+        if records.failed(distribution, n, method) {
+            continue;
+        }
         let hull = hull_method(method)?.exact;
-        let passes = passes_for_a_sample(hull, sets);
-        contestants.push(Contestant {
-            name: method.clone(),
-            hull,
-            passes,
-        });
-        if method == "gs" {
-            contestants.push(Contestant {
-                name: TWIN.to_owned(),
-                hull,
-                passes,
-            });
-        }
+        let call = move |points: &Points<'_, 2>| {
+            let _ = black_box(hull(black_box(*points), Boundary::All));
+        };
+        calls.push((method.clone(), call));
     }
-    Ok(contestants)
-}
-
-/// How many passes over the sets take at least [`SHORTEST`], by doubling. Also warms up.
-fn passes_for_a_sample(hull: HullFunction, sets: &[Points<'_, 2>]) -> u64 {
-    let mut passes = 1;
-    while sample(hull, sets, passes) < SHORTEST {
-        passes *= 2;
-    }
-    passes
-}
-
-fn sample(hull: HullFunction, sets: &[Points<'_, 2>], passes: u64) -> Duration {
-    let start = Instant::now();
-    for _ in 0..passes {
-        for &points in sets {
-            let _ = black_box(hull(black_box(points), Boundary::All));
-        }
-    }
-    start.elapsed()
-}
-
-/// Puts the contestants in random order (Fisher and Yates).
-fn shuffle(contestants: &mut [Contestant], random: &mut ChaCha8Rng) {
-    for last in (1..contestants.len()).rev() {
-        contestants.swap(last, random.random_range(0..=last));
-    }
+    Ok(calls)
 }

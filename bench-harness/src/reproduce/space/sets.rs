@@ -1,0 +1,60 @@
+//! The point sets of an experiment in space, each determined by (seed, distribution, n, replicate).
+
+use anyhow::{Context, Result};
+use geometry_core::Point3;
+use point_sets::Spec;
+use std::str::FromStr;
+
+/// A generated set and what it was generated from.
+#[derive(Clone, Debug)]
+pub(crate) struct PointSet3 {
+    /// The name of the distribution, as in the definition.
+    pub(crate) distribution: String,
+    /// Points asked for.
+    pub(crate) n: usize,
+    /// Number of the replicate, from 0.
+    pub(crate) replicate: u64,
+    /// The seed of this set alone.
+    pub(crate) seed: u64,
+    /// The points.
+    pub(crate) points: Vec<Point3>,
+}
+
+impl PointSet3 {
+    /// Generates replicate `replicate` of the cell (`distribution`, `n`).
+    pub(crate) fn generate(
+        seed: u64,
+        distribution: &str,
+        n: usize,
+        replicate: u64,
+    ) -> Result<Self> {
+        let spec = Spec::from_str(distribution)
+            .with_context(|| format!("the distribution {distribution:?}"))?;
+        let seed = point_sets::cell_seed(seed, &spec, n, replicate);
+        let points = spec
+            .generate3(n, seed)
+            .with_context(|| format!("generating {n} points of {distribution:?}"))?;
+        Ok(Self {
+            distribution: distribution.to_owned(),
+            n,
+            replicate,
+            seed,
+            points,
+        })
+    }
+
+    /// The same set with its points changed, under another name.
+    pub(crate) fn changed(self, name: &str, change: impl FnOnce(&mut Vec<Point3>)) -> Self {
+        let mut set = Self {
+            distribution: name.to_owned(),
+            ..self
+        };
+        change(&mut set.points);
+        set
+    }
+
+    /// The fingerprint of the coordinates.
+    pub(crate) fn fingerprint(&self) -> String {
+        point_sets::fingerprint(&self.points).to_string()
+    }
+}
