@@ -1,6 +1,7 @@
 //! Why the program stops early, and the exit code that says so.
 
 use point_sets::file::{FileError, Problem};
+use point_sets::mesh_file::{MeshFileError, MeshProblem};
 use std::fmt;
 use std::io;
 use std::process::ExitCode;
@@ -68,6 +69,17 @@ impl From<FileError> for Failure {
         let message = error.to_string();
         match error.problem {
             Problem::Open(_) | Problem::Read(_) => Failure::Io(message),
+            _ => Failure::Data(message),
+        }
+    }
+}
+
+/// A file that cannot be opened is [`Failure::Io`]; anything else about it is [`Failure::Data`].
+impl From<MeshFileError> for Failure {
+    fn from(error: MeshFileError) -> Self {
+        let message = error.to_string();
+        match error.problem {
+            MeshProblem::Open(_) => Failure::Io(message),
             _ => Failure::Data(message),
         }
     }

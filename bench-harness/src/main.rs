@@ -2,7 +2,7 @@
 //!
 //! This file parses the command line and dispatches; the work is in the library of the same package.
 
-use bench_harness::commands::{hull, methods, peel, points};
+use bench_harness::commands::{check, delaunay, hull, methods, peel, points, sweep};
 use bench_harness::failure::Failure;
 use bench_harness::output::target::note;
 use bench_harness::reproduce;
@@ -43,10 +43,16 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// The convex hull of points, certified
+    /// The convex hull of points of the plane or of space, certified
     Hull(hull::Args),
     /// The convex layers of points, their c-ranks and mid-ranks, certified
     Peel(peel::Args),
+    /// The Delaunay triangulation of points of the plane, certified
+    Delaunay(delaunay::Args),
+    /// The volume swept by a part that moves in a straight line, certified, and the obstacles in it
+    Sweep(sweep::Args),
+    /// Whether a hull made by anyone is the hull of the points, proved
+    Check(check::Args),
     /// A point set from the catalogue
     Points(points::Args),
     /// The registered methods: publication, cost, departures
@@ -60,6 +66,9 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Hull(args) => hull::run(&args),
         Command::Peel(args) => peel::run(&args),
+        Command::Delaunay(args) => delaunay::run(&args),
+        Command::Sweep(args) => sweep::run(&args),
+        Command::Check(args) => check::run(&args),
         Command::Points(args) => points::run(&args),
         Command::Methods(args) => methods::run(&args),
         Command::Reproduce(args) => reproduce::run(&args).map_err(Failure::from),

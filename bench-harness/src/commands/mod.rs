@@ -5,16 +5,23 @@
 //!
 //! | module | subcommand |
 //! |---|---|
-//! | [`hull`] | the convex hull of points |
+//! | [`hull`] | the convex hull of points of the plane or of space |
 //! | [`peel`] | the convex layers of points |
+//! | [`delaunay`] | the Delaunay triangulation of points |
+//! | [`sweep`] | the volume swept by a part |
+//! | [`check`] | whether a hull made by anyone is the hull of the points |
 //! | [`points`] | a point set from the catalogue |
 //! | [`methods`] | the registered methods |
 //!
-//! [`input`] says where points come from, [`select`] which method runs.
+//! [`input`] says where points come from, [`select`] which method runs, [`claim`] reads the hulls of others.
 
+pub mod check;
+pub mod claim;
+pub mod delaunay;
 pub mod hull;
 pub mod input;
 pub mod methods;
 pub mod peel;
 pub mod points;
 pub mod select;
+pub mod sweep;

@@ -4,7 +4,7 @@ use crate::commands::input::InputArgs;
 use crate::commands::select::{self, BoundaryArg};
 use crate::failure::Failure;
 use crate::output::peel::PeelReport;
-use crate::output::target::OutputArgs;
+use crate::output::target::{OutputArgs, Report};
 use clap::ValueHint;
 
 const EXAMPLES: &str = "\
@@ -52,10 +52,10 @@ pub struct Args {
 ///
 /// Every kind of [`Failure`].
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let delivery = args.output.delivery()?;
+    let delivery = args.output.delivery(PeelReport::FORMATS)?;
     let (method, task) = select::layers(&args.method)?;
     let boundary = args.boundary.into();
-    let input = args.input.load()?;
+    let input = args.input.load2()?;
 
     let layers = (task.exact)(input.view(), boundary)
         .map_err(|error| Failure::Verification(format!("method '{}': {error}", method.slug)))?;

@@ -5,11 +5,11 @@ use crate::failure::Failure;
 use crate::output::atomic::Existing;
 use crate::output::catalogue::write_catalogue;
 use crate::output::target::{Target, to_stdout};
-use point_sets::Spec;
+use point_sets::{Spec, file};
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
-The file is CSV of x and y, each with the fewest digits that read back as the same f64. It opens with comment
+The file is CSV of x, y and for a set of space z, each with the fewest digits that read back as the same f64. It opens with comment
 lines (#) that say how to make it again and give the fingerprint of its coordinates; every command that
 reads points skips them.
 
@@ -17,6 +17,7 @@ Examples:
   hullbench points --list
   hullbench points disc -n 10000 --seed 7 -o disc.csv
   hullbench points oblique:cols=10,rows=10 | head
+  hullbench points shuffled:of=circle-and-axis -n 2000 -o axis.csv
 
 Exit codes:
   0 done   2 usage, such as an unknown point set   4 a file could not be written";
@@ -62,8 +63,15 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         Existing::Keep
     };
     let target = Target::new(args.output.as_deref(), existing)?;
-    let set = args.draw.draw(spec)?;
-    target.write(|out| set.write(out))?;
-    target.note(&set.headline());
+    let headline = if spec.dimension() == 2 {
+        let set = args.draw.draw(spec, Spec::generate)?;
+        target.write(|out| set.write(out, file::write_csv2))?;
+        set.headline()
+    } else {
+        let set = args.draw.draw(spec, Spec::generate3)?;
+        target.write(|out| set.write(out, file::write_csv3))?;
+        set.headline()
+    };
+    target.note(&headline);
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use clap::ValueEnum;
-use geometry_core::method::{PlanarHull, PlanarLayers};
+use geometry_core::method::{Delaunay, PlanarHull, PlanarLayers, SpatialHull};
 use hullkit::{Boundary, Method, Task};
 use std::fmt::Display;
 
@@ -50,6 +50,42 @@ pub fn layers(slug: &str) -> Result<(&'static Method, PlanarLayers), Failure> {
     Err(unfit(slug, "layers", found))
 }
 
+/// The method for hulls in space registered as `slug`, and how to run it.
+///
+/// # Errors
+///
+/// As [`hull`].
+pub fn hull3(slug: &str) -> Result<(&'static Method, SpatialHull), Failure> {
+    let found = hullkit::method(slug);
+    if let Some((method, Task::SpatialHull(task))) = found.map(|method| (method, method.task)) {
+        return Ok((method, task));
+    }
+    Err(unfit(slug, "hull-3d", found))
+}
+
+/// The method for hulls in space that is taken where none is named: the first of these that there is.
+///
+/// # Errors
+///
+/// As [`hull`].
+pub fn hull3_by_default() -> Result<(&'static Method, SpatialHull), Failure> {
+    let [fast, simple] = ["quickhull-3d", "pivot-wrap"];
+    hull3(fast).or_else(|_| hull3(simple))
+}
+
+/// The method for triangulations registered as `slug`, and how to run it.
+///
+/// # Errors
+///
+/// As [`hull`].
+pub fn delaunay(slug: &str) -> Result<(&'static Method, Delaunay), Failure> {
+    let found = hullkit::method(slug);
+    if let Some((method, Task::Delaunay(task))) = found.map(|method| (method, method.task)) {
+        return Ok((method, task));
+    }
+    Err(unfit(slug, "delaunay", found))
+}
+
 /// The method registered as `slug`, whatever it computes.
 ///
 /// # Errors
@@ -65,12 +101,23 @@ pub fn computes(method: &Method) -> &'static str {
     match method.task {
         Task::PlanarHull(_) => "hull",
         Task::PlanarLayers(_) => "layers",
+        Task::SpatialHull(_) => "hull-3d",
+        Task::Delaunay(_) => "delaunay",
         _ => "other",
     }
 }
 
 /// The failure of a result of `method` in which the checker found faults; shows the first few.
 pub fn not_certified(method: &Method, findings: &[impl Display]) -> Failure {
+    Failure::Verification(format!(
+        "the result of method '{}' is not certified: {}; please report it with the points, and take another method",
+        method.slug,
+        first_few(findings)
+    ))
+}
+
+/// The first few of what a checker found.
+pub fn first_few(findings: &[impl Display]) -> String {
     const SHOWN: usize = 3;
     let shown: Vec<_> = findings
         .iter()
@@ -81,12 +128,7 @@ pub fn not_certified(method: &Method, findings: &[impl Display]) -> Failure {
         0 => String::new(),
         more => format!("; and {more} more"),
     };
-    Failure::Verification(format!(
-        "the result of method '{}' is not certified: {}{more}; please report it with the points, \
-         and take another method",
-        method.slug,
-        shown.join("; ")
-    ))
+    format!("{}{more}", shown.join("; "))
 }
 
 fn unfit(slug: &str, wanted: &str, found: Option<&Method>) -> Failure {

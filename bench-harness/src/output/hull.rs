@@ -42,7 +42,7 @@ pub struct HullReport {
 
 /// The checker's account of the points; it adds up to their number.
 #[derive(Clone, Debug, Serialize)]
-struct Account {
+pub struct Account {
     vertices: usize,
     copies: usize,
     on_edges: usize,
@@ -76,10 +76,13 @@ impl HullReport {
 }
 
 impl Report for HullReport {
+    const FORMATS: &'static [Format] = &[Format::Csv, Format::Json];
+
     fn write(&self, out: &mut dyn Write, format: Format) -> io::Result<()> {
         match format {
             Format::Csv => write_csv(out, &VertexRow::HEADER, &self.vertices),
             Format::Json => write_json(out, self),
+            other => other.refuse(),
         }
     }
 
@@ -128,7 +131,8 @@ impl HullReport {
 }
 
 impl Account {
-    fn of(certificate: &Certificate2) -> Self {
+    /// The account of `certificate`.
+    pub fn of(certificate: &Certificate2) -> Self {
         Self {
             vertices: certificate.h,
             copies: certificate.copies,
@@ -137,7 +141,8 @@ impl Account {
         }
     }
 
-    fn in_words(&self) -> String {
+    /// The account on one line.
+    pub fn in_words(&self) -> String {
         format!(
             "proved: {} vertices + {} copies of them + {} on edges + {} inside = {} points",
             self.vertices,
@@ -166,7 +171,8 @@ pub fn points_line(points: usize, distinct: usize) -> String {
     }
 }
 
-fn dimension_line(dimension: Option<usize>) -> String {
+/// The dimension of a hull, in words where it is low.
+pub fn dimension_line(dimension: Option<usize>) -> String {
     match dimension {
         None => "none: there are no points".into(),
         Some(0) => "0: all points are copies of one".into(),

@@ -1,6 +1,6 @@
 //! The registry as a table, as one entry for reading, or as JSON.
 //!
-//! The JSON is an array of objects of `slug`, `computes` (`"hull"` or `"layers"`), `title`, `citation`,
+//! The JSON is an array of objects of `slug`, `computes` (`"hull"`, `"layers"`, `"hull-3d"` or `"delaunay"`), `title`, `citation`,
 //! `cost` and `departures`.
 
 use crate::commands::select;

@@ -81,10 +81,13 @@ impl PeelReport {
 }
 
 impl Report for PeelReport {
+    const FORMATS: &'static [Format] = &[Format::Csv, Format::Json];
+
     fn write(&self, out: &mut dyn Write, format: Format) -> io::Result<()> {
         match format {
             Format::Csv => write_csv(out, &LayerRow::HEADER, &self.ranks),
             Format::Json => write_json(out, self),
+            other => other.refuse(),
         }
     }
 

@@ -41,6 +41,44 @@ impl VertexRow {
     }
 }
 
+/// A vertex of a hull in space.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct VertexRow3 {
+    /// Its place among the vertices, from 0, in the order of their indices.
+    pub order: usize,
+    /// The index of the point in the input, from 0.
+    pub index: u32,
+    /// The line of the input file that holds the point; none for a generated point.
+    pub line: Option<u64>,
+    /// Its first coordinate.
+    pub x: f64,
+    /// Its second coordinate.
+    pub y: f64,
+    /// Its third coordinate.
+    pub z: f64,
+}
+
+impl VertexRow3 {
+    /// The header of a table of vertices.
+    pub const HEADER: [&'static str; 6] = ["order", "index", "line", "x", "y", "z"];
+
+    /// The rows of the vertices `ids` of `input`.
+    pub fn all(input: &Input<3>, ids: &[u32]) -> Vec<Self> {
+        let row = |(order, &index): (usize, &u32)| {
+            let [x, y, z] = input.points[index as usize];
+            Self {
+                order,
+                index,
+                line: input.line(index),
+                x,
+                y,
+                z,
+            }
+        };
+        ids.iter().enumerate().map(row).collect()
+    }
+}
+
 /// A point and its place in the layers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LayerRow {

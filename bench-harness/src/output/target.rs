@@ -16,7 +16,7 @@ pub struct OutputArgs {
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
-    /// Write the result in this format [default: by the extension of FILE, csv for `-`]
+    /// Write the result in this format [default: by the extension of FILE, csv for `-`]; not every result has all
     #[arg(long, value_enum, value_name = "FORMAT")]
     format: Option<Format>,
 
@@ -32,6 +32,18 @@ pub enum Format {
     Csv,
     /// One JSON object
     Json,
+    /// Points and polygons, Object File Format
+    Off,
+    /// Points and polygons, Wavefront
+    Obj,
+    /// Points and polygons, Stanford, binary
+    Ply,
+    /// The same as text
+    PlyText,
+    /// Triangles, binary, rounded to single precision
+    Stl,
+    /// A drawing
+    Svg,
 }
 
 /// What the user wants to have.
@@ -64,11 +76,14 @@ pub enum Target {
 
 /// A certified result that can be written in every way a command offers.
 pub trait Report {
-    /// Writes the whole result.
+    /// The formats in which it can be written.
+    const FORMATS: &'static [Format];
+
+    /// Writes the whole result in one of its formats.
     ///
     /// # Errors
     ///
-    /// Those of `out`.
+    /// Those of `out`; [`io::ErrorKind::InvalidInput`] if the format cannot hold this result.
     fn write(&self, out: &mut dyn Write, format: Format) -> io::Result<()>;
 
     /// Writes a summary for reading.
@@ -80,6 +95,11 @@ pub trait Report {
 
     /// What the result holds, in a few words.
     fn headline(&self) -> String;
+
+    /// What is lost in a format, if anything is.
+    fn warning(&self, _format: Format) -> Option<String> {
+        None
+    }
 }
 
 impl Delivery {
@@ -94,6 +114,9 @@ impl Delivery {
             Delivery::Data { target, format } => {
                 target.write(|out| report.write(out, *format))?;
                 target.note(&report.headline());
+                if let Some(warning) = report.warning(*format) {
+                    note(&format!("warning: {warning}"));
+                }
                 Ok(())
             }
         }
@@ -101,17 +124,25 @@ impl Delivery {
 }
 
 impl OutputArgs {
-    /// What is asked for. Neither a file nor a format asks for a summary.
+    /// What is asked for, in one of `formats`. Neither a file nor a format asks for a summary.
     ///
     /// # Errors
     ///
-    /// [`Failure::Usage`] if the extension names no format, [`Failure::Io`] if the file could not be written.
-    pub fn delivery(&self) -> Result<Delivery, Failure> {
+    /// [`Failure::Usage`] if the format is another or the extension names none, [`Failure::Io`] if the file could
+    /// not be written.
+    pub fn delivery(&self, formats: &[Format]) -> Result<Delivery, Failure> {
         let format = match (self.format, &self.output) {
             (None, None) => return Ok(Delivery::Summary),
             (Some(format), _) => format,
-            (None, Some(path)) => Format::of(path)?,
+            (None, Some(path)) => Format::of(path, formats)?,
         };
+        if !formats.contains(&format) {
+            return Err(Failure::Usage(format!(
+                "this result cannot be written as {}; take one of {}",
+                format.name(),
+                names(formats).join(", ")
+            )));
+        }
         let existing = if self.force {
             Existing::Replace
         } else {
@@ -123,20 +154,45 @@ impl OutputArgs {
 }
 
 impl Format {
-    /// The format of a file by its extension; CSV for `-`.
-    fn of(path: &Path) -> Result<Self, Failure> {
+    /// The one of `formats` that a file has by its extension; CSV for `-`.
+    fn of(path: &Path, formats: &[Format]) -> Result<Self, Failure> {
         if path == Path::new("-") {
             return Ok(Format::Csv);
         }
         let extension = path.extension().and_then(|extension| extension.to_str());
-        match extension.map(str::to_ascii_lowercase).as_deref() {
-            Some("csv") => Ok(Format::Csv),
-            Some("json") => Ok(Format::Json),
-            _ => Err(Failure::Usage(format!(
-                "{}: the extension names no format; use .csv or .json, or add --format csv or --format json",
-                path.display()
-            ))),
+        let extension = extension.map(str::to_ascii_lowercase).unwrap_or_default();
+        let named = |format: &&Format| format.name() == extension;
+        formats.iter().find(named).copied().ok_or_else(|| {
+            Failure::Usage(format!(
+                "{}: the extension names no format of this result; use one of .{}, or add --format",
+                path.display(),
+                names(formats).join(", .")
+            ))
+        })
+    }
+
+    /// Its name on the command line, which is also the extension of its files.
+    fn name(self) -> &'static str {
+        match self {
+            Format::Csv => "csv",
+            Format::Json => "json",
+            Format::Off => "off",
+            Format::Obj => "obj",
+            Format::Ply => "ply",
+            Format::PlyText => "ply-text",
+            Format::Stl => "stl",
+            Format::Svg => "svg",
         }
+    }
+
+    /// The failure to write a result in a format that it does not have.
+    ///
+    /// # Errors
+    ///
+    /// Always.
+    pub fn refuse(self) -> io::Result<()> {
+        let text = format!("this result has no {} form", self.name());
+        Err(io::Error::new(io::ErrorKind::InvalidInput, text))
     }
 }
 
@@ -199,6 +255,10 @@ pub fn note(line: &str) {
     let _ = writeln!(io::stderr().lock(), "{line}");
 }
 
+fn names(formats: &[Format]) -> Vec<&'static str> {
+    formats.iter().map(|format| format.name()).collect()
+}
+
 fn cannot_write(path: &Path, error: &io::Error) -> Failure {
     let path_shown = path.display();
     match error.kind() {
@@ -211,6 +271,9 @@ fn cannot_write(path: &Path, error: &io::Error) -> Failure {
         io::ErrorKind::NotFound => Failure::Io(format!(
             "{path_shown}: the folder to write in does not exist; create it first"
         )),
+        io::ErrorKind::InvalidInput => {
+            Failure::Data(format!("{path_shown}: {error}; choose another format"))
+        }
         _ => Failure::io(path_shown, error, "choose a place you can write to"),
     }
 }
@@ -221,11 +284,12 @@ mod tests {
 
     #[test]
     fn the_extension_names_the_format() {
-        assert_eq!(Format::of(Path::new("a/b.CSV")).unwrap(), Format::Csv);
-        assert_eq!(Format::of(Path::new("b.json")).unwrap(), Format::Json);
-        assert_eq!(Format::of(Path::new("-")).unwrap(), Format::Csv);
-        for unknown in ["b", "b.txt", ".csv"] {
-            let failure = Format::of(Path::new(unknown)).unwrap_err();
+        let of = |path: &str| Format::of(Path::new(path), &[Format::Csv, Format::Json]);
+        assert_eq!(of("a/b.CSV").unwrap(), Format::Csv);
+        assert_eq!(of("b.json").unwrap(), Format::Json);
+        assert_eq!(of("-").unwrap(), Format::Csv);
+        for unknown in ["b", "b.txt", ".csv", "b.ply"] {
+            let failure = of(unknown).unwrap_err();
             assert!(matches!(failure, Failure::Usage(_)), "{unknown}");
         }
     }
@@ -237,7 +301,7 @@ mod tests {
             format: None,
             force: false,
         };
-        assert_eq!(args.delivery().unwrap(), Delivery::Summary);
+        assert_eq!(args.delivery(&[Format::Csv]).unwrap(), Delivery::Summary);
     }
 
     #[test]
@@ -251,6 +315,7 @@ mod tests {
             target: Target::Stdout,
             format: Format::Json,
         };
-        assert_eq!(args.delivery().unwrap(), expected);
+        assert_eq!(args.delivery(&[Format::Json]).unwrap(), expected);
+        assert!(args.delivery(&[Format::Csv]).is_err());
     }
 }

@@ -66,6 +66,12 @@ pub fn number(value: f64) -> String {
     format!("{value:?}")
 }
 
+/// The coordinates of a point in parentheses.
+pub fn point(point: &[f64]) -> String {
+    let coordinates: Vec<_> = point.iter().map(|&value| number(value)).collect();
+    format!("({})", coordinates.join(", "))
+}
+
 /// A count with the noun that goes with it.
 pub fn count(number: usize, singular: &str, plural: &str) -> String {
     format!("{number} {}", if number == 1 { singular } else { plural })

@@ -41,6 +41,25 @@ fn no_points_from_the_catalogue_have_an_empty_hull_and_no_layers() {
 }
 
 #[test]
+fn what_a_message_asks_for_can_be_said() {
+    let shop = Workshop::new(&[
+        ("t.csv", "town,7,z\na,1,2\nb,3,4\nc,0,9\n"),
+        ("u.csv", "1990,2000\n1,5;2,5\n"),
+    ]);
+    let message = shop.run("hull t.csv").failure(3);
+    assert!(message.contains("may be a header or a point"), "{message}");
+    let summary = shop.run("hull t.csv --header present").stdout();
+    assert_eq!(value(&summary, "points"), "3");
+    let message = shop
+        .run("hull u.csv --header present --separator comma")
+        .failure(3);
+    assert!(message.starts_with("error: u.csv:2:"), "{message}");
+    let message = shop.run("hull u.csv --separator semicolon").failure(3);
+    assert!(message.contains("\";\""), "{message}");
+    assert_eq!(shop.run("hull --set disc --header absent").code, Some(2));
+}
+
+#[test]
 fn a_missing_file_is_an_input_error() {
     let message = Workshop::new(&[]).run("hull nowhere.csv").failure(4);
     assert!(message.starts_with("error: nowhere.csv: "), "{message}");

@@ -40,6 +40,26 @@ fn a_generated_file_says_how_to_make_it_again() {
 }
 
 #[test]
+fn points_of_space_come_back_from_their_file_to_the_last_bit() {
+    let shop = Workshop::new(&[]);
+    shop.run("points shuffled:of=near-coplanar -n 200 -o near.csv")
+        .stdout();
+    let from_file = shop.run("hull near.csv -o - --format off").stdout();
+    let direct = shop
+        .run("hull --set shuffled:of=near-coplanar -n 200 --format off")
+        .stdout();
+    assert_eq!(from_file, direct);
+    let text = shop
+        .run("points cubic-lattice:cols=2,rows=2,layers=3")
+        .stdout();
+    assert!(text.contains("\nx,y,z\n0.0,0.0,0.0\n"), "{text}");
+    assert_eq!(
+        text.lines().filter(|line| !line.starts_with('#')).count(),
+        13
+    );
+}
+
+#[test]
 fn the_catalogue_is_listed() {
     let list = Workshop::new(&[]).run("points --list").stdout();
     for entry in point_sets::catalogue() {
@@ -68,7 +88,17 @@ fn the_registry_is_listed() {
 #[test]
 fn every_help_shows_an_example_and_the_exit_codes() {
     let shop = Workshop::new(&[]);
-    for command in ["", "hull ", "peel ", "points ", "methods ", "reproduce "] {
+    for command in [
+        "",
+        "hull ",
+        "peel ",
+        "delaunay ",
+        "sweep ",
+        "check ",
+        "points ",
+        "methods ",
+        "reproduce ",
+    ] {
         let help = shop.run(&format!("{command}--help")).stdout();
         assert!(help.contains("Examples:\n  hullbench "), "{command}");
         assert!(help.contains("Exit codes:"), "{command}");

@@ -10,6 +10,10 @@ use tempfile::TempDir;
 /// A square with a point inside, one on an edge and a copy of a corner.
 pub(crate) const SQUARE: &str = "name,x,y\na,0,0\nb,2,0\nc,1,1\nd,2,2\ne,1,0\nf,0,2\ng,0,0\n";
 
+/// A cube with the middle of a facet, its centre and a copy of a corner.
+pub(crate) const CUBE: &str = "name,x,y,z\na,0,0,0\nb,2,0,0\nc,0,2,0\nd,2,2,0\ne,0,0,2\nf,2,0,2\ng,0,2,2\n\
+                               h,2,2,2\ni,1,1,0\nj,1,1,1\nk,2,2,2\n";
+
 /// A folder with files of the given names and contents, and the program run inside it.
 pub(crate) struct Workshop {
     pub(crate) folder: TempDir,
@@ -29,9 +33,10 @@ impl Workshop {
         self.launch(arguments.split_whitespace().map(OsStr::new))
     }
 
-    /// Runs one command on a file, whatever its path.
+    /// Runs a command, with options separated by blanks, on a file, whatever its path.
     pub(crate) fn run_on(&self, command: &str, path: &Path) -> Outcome {
-        self.launch([OsStr::new(command), path.as_os_str()])
+        let words = command.split_whitespace().map(OsStr::new);
+        self.launch(words.chain([path.as_os_str()]))
     }
 
     fn launch<'a>(&self, arguments: impl IntoIterator<Item = &'a OsStr>) -> Outcome {
