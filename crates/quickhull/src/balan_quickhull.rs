@@ -153,12 +153,9 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
         if set.is_empty() {
             return None;
         }
-        let apex = furthest(
-            self.points,
-            &self.kernel,
-            self.mesh.corners(facet),
-            set.iter().copied(),
-        )?;
+        let plane = self.mesh.corners(facet).map(|id| self.points[id]);
+        let ids = set.iter().copied();
+        let apex = furthest(self.points.as_slice(), &self.kernel, plane, ids)?;
         self.observer.step(|| Step::Apex(apex));
         Some(apex)
     }

@@ -3,21 +3,22 @@
 //! Heights over the plane are compared exactly. Of equally high points one at a corner of their hull is taken, the
 //! lexicographically largest, so that the choice depends on the coordinates alone.
 
-use geometry_core::{Kernel3, Points};
+use geometry_core::{Kernel3, Point3};
 use std::cmp::Ordering;
 
-/// The highest of `ids` over the plane; of several the lexicographically largest, and of its copies the one with
-/// the smallest index.
+/// The highest over the plane of the points `ids`, as indices of `points`; of several the lexicographically largest,
+/// and of its copies the smallest index.
+#[inline]
 pub(crate) fn furthest<K: Kernel3>(
-    points: Points<'_, 3>,
+    points: &[Point3],
     kernel: &K,
-    plane: [u32; 3],
+    plane: [Point3; 3],
     ids: impl IntoIterator<Item = u32>,
 ) -> Option<u32> {
-    let plane = plane.map(|id| points[id]);
     ids.into_iter().reduce(|best, id| {
-        let height = kernel.compare_height(plane, points[id], points[best]);
-        if height.is_gt() || (height.is_eq() && precedes(points, kernel, id, best)) {
+        let [p, q] = [id, best].map(|id| points[id as usize]);
+        let height = kernel.compare_height(plane, p, q);
+        if height.is_gt() || (height.is_eq() && is_preferred(kernel, (p, id), (q, best))) {
             id
         } else {
             best
@@ -25,10 +26,10 @@ pub(crate) fn furthest<K: Kernel3>(
     })
 }
 
-/// Whether `id` is preferred to `best`, which is as high.
+/// Whether the first point is preferred to the second, which is as high.
 #[cold]
-fn precedes<K: Kernel3>(points: Points<'_, 3>, kernel: &K, id: u32, best: u32) -> bool {
-    match kernel.lexicographic3(points[id], points[best]) {
+fn is_preferred<K: Kernel3>(kernel: &K, (p, id): (Point3, u32), (q, best): (Point3, u32)) -> bool {
+    match kernel.lexicographic3(p, q) {
         Ordering::Greater => true,
         Ordering::Less => false,
         Ordering::Equal => id < best,

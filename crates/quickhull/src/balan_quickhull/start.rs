@@ -23,16 +23,14 @@ pub(super) fn tetrahedron<K: Kernel3>(
             .find(|&id| !on_line(id))
             .unwrap_or(basis[2])
     });
-    let above = |plane: [u32; 3], id: u32| {
-        let [p, q, r] = plane.map(|id| points[id]);
-        kernel.orient3(p, q, r, points[id]).is_positive()
-    };
-    let highest = furthest(points, kernel, [a, b, c], points.ids()).unwrap_or(basis[3]);
-    if above([a, b, c], highest) {
-        return [a, b, c, highest];
+    let [p, q, r] = [a, b, c].map(|id| points[id]);
+    let most = |plane| furthest(points.as_slice(), kernel, plane, points.ids()).unwrap_or(basis[3]);
+    let highest = most([p, q, r]);
+    if kernel.orient3(p, q, r, points[highest]).is_positive() {
+        [a, b, c, highest]
+    } else {
+        [a, c, b, most([p, r, q])]
     }
-    let lowest = furthest(points, kernel, [a, c, b], points.ids()).unwrap_or(basis[3]);
-    [a, c, b, lowest]
 }
 
 /// The smallest and the largest point along each axis, ties broken by the axes after it.

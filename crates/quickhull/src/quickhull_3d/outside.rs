@@ -64,6 +64,10 @@ impl OutsideSets {
         };
         let Set { start, len, .. } = std::mem::take(set);
         let end = start + len as usize;
+        // Where an empty set starts means nothing: there may be no such place any more.
+        if len == 0 {
+            return;
+        }
         pool.extend_from_slice(&self.ids[start..end]);
         self.live -= len as usize;
         if end == self.ids.len() {
@@ -74,6 +78,19 @@ impl OutsideSets {
     /// How many ids are stored, gaps included.
     pub(super) fn stored(&self) -> usize {
         self.ids.len()
+    }
+
+    /// Numbers the points anew, in the order of the sets, and returns their old numbers in the new order.
+    pub(super) fn renumber(&mut self) -> Vec<u32> {
+        self.move_together();
+        let order = std::mem::replace(&mut self.ids, (0..self.live as u32).collect());
+        for set in &mut self.sets {
+            let old = &order[set.start..set.start + set.len as usize];
+            if let Some(place) = old.iter().position(|&id| id == set.furthest) {
+                set.furthest = (set.start + place) as u32;
+            }
+        }
+        order
     }
 
     fn move_together(&mut self) {
@@ -105,9 +122,27 @@ mod tests {
         assert!(outside.stored() < 2 * (10 + 100) + SMALL + 100);
         assert_eq!(outside.furthest(TriangleId(3)), Some(4));
         assert_eq!(outside.furthest(TriangleId(9)), None);
+        let stored = outside.renumber();
+        let furthest = outside
+            .furthest(TriangleId(3))
+            .expect("a set that is not empty");
+        assert_eq!(stored[furthest as usize], 4);
         let mut pool = Vec::new();
         outside.take(TriangleId(3), &mut pool);
-        assert_eq!(pool, kept);
+        assert!(pool.iter().map(|&place| stored[place as usize]).eq(kept));
         assert_eq!(outside.furthest(TriangleId(3)), None);
+    }
+    #[test]
+    fn an_empty_set_may_be_taken_at_any_time() {
+        let mut outside = OutsideSets::default();
+        let mut pool = Vec::new();
+        outside.put(TriangleId(0), &[0, 1, 2], 0);
+        outside.put(TriangleId(1), &[3], 3);
+        outside.take(TriangleId(1), &mut pool);
+        assert_eq!(outside.renumber(), [0, 1, 2]);
+        outside.take(TriangleId(0), &mut pool);
+        outside.take(TriangleId(1), &mut pool);
+        outside.take(TriangleId(2), &mut pool);
+        assert_eq!((pool, outside.stored()), (vec![3, 0, 1, 2], 0));
     }
 }

@@ -36,9 +36,8 @@ fn furthest_on_side_of<K: Kernel3>(
     [a, b, c]: [u32; 3],
     id: u32,
 ) -> u32 {
-    let above = kernel
-        .orient3(points[a], points[b], points[c], points[id])
-        .is_positive();
+    let [a, b, c] = [a, b, c].map(|id| points[id]);
+    let above = kernel.orient3(a, b, c, points[id]).is_positive();
     let plane = if above { [a, b, c] } else { [a, c, b] };
-    furthest(points, kernel, plane, points.ids()).unwrap_or(id)
+    furthest(points.as_slice(), kernel, plane, points.ids()).unwrap_or(id)
 }
