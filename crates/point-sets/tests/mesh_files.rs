@@ -4,7 +4,7 @@ use point_sets::mesh_file::{MeshFormat, PolygonMesh, read_mesh};
 use point_sets::{Spec, fingerprint};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use std::path::PathBuf;
+use tempfile::TempDir;
 
 const FORMATS: [(MeshFormat, &str); 4] = [
     (MeshFormat::Off, "off"),
@@ -21,8 +21,11 @@ fn written(mesh: &PolygonMesh, format: MeshFormat) -> Vec<u8> {
 
 /// What reading a file with this extension and content gives; the message without the name of the folder.
 fn read(extension: &str, content: &[u8]) -> Result<PolygonMesh, String> {
-    let folder = tempfile::tempdir().unwrap();
-    let path: PathBuf = folder.path().join(format!("m.{extension}"));
+    read_in(&tempfile::tempdir().unwrap(), extension, content)
+}
+
+fn read_in(folder: &TempDir, extension: &str, content: &[u8]) -> Result<PolygonMesh, String> {
+    let path = folder.path().join(format!("m.{extension}"));
     std::fs::write(&path, content).unwrap();
     read_mesh(&path).map_err(|error| {
         let folder = format!("{}/", folder.path().display());
@@ -303,6 +306,7 @@ fn spoilt_files_are_read_or_refused() {
     let mut words = ChaCha8Rng::seed_from_u64(17);
     let mut below = |bound: usize| words.next_u64() as usize % bound;
     let mesh = pyramid(6);
+    let folder = tempfile::tempdir().unwrap();
     let mut refused = 0;
     for (format, extension) in FORMATS {
         let sound = written(&mesh, format);
@@ -316,8 +320,23 @@ fn spoilt_files_are_read_or_refused() {
                     _ => content.insert(at, b"0123456789-. \nef"[below(16)]),
                 }
             }
-            refused += usize::from(read(extension, &content).is_err());
+            refused += usize::from(read_in(&folder, extension, &content).is_err());
         }
     }
     assert!((400..1600).contains(&refused), "{refused}");
+}
+
+/// The time to read a line is linear in its length: characters are counted only for messages.
+#[test]
+fn long_polygons_are_read() {
+    let corners = 300_000;
+    let points = vec![[0.5, 0.25, 0.125]; corners];
+    let mesh = PolygonMesh {
+        points,
+        polygons: vec![(0..corners as u32).collect()],
+    };
+    for (format, extension) in FORMATS {
+        let back = read(extension, &written(&mesh, format)).unwrap();
+        assert_eq!(back.polygons, mesh.polygons, "{format:?}");
+    }
 }

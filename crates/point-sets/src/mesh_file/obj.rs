@@ -37,7 +37,7 @@ pub(super) fn read(content: &[u8]) -> Result<PolygonMesh, Failure> {
                 let count = mesh.points.len();
                 let corners = line.map(|word| corner(word, count));
                 let corners = corners.collect::<Result<_, _>>()?;
-                mesh.push_polygon(corners, keyword.place)?;
+                mesh.push_polygon(corners, keyword.place())?;
             }
             _ => {}
         }

@@ -64,7 +64,7 @@ fn after_keyword<'a>(lines: &mut Lines<'a>) -> Result<Line<'a>, Failure> {
     match ahead.next() {
         None => lines.expect("the number of points"),
         Some(word) if word.text == "BINARY" => Err((
-            word.place,
+            word.place(),
             MeshProblem::Unsupported {
                 what: "binary OFF".to_owned(),
                 remedy: "save it as text",

@@ -121,7 +121,7 @@ fn read_polygons(
         for property in &element.properties {
             match property.count_type {
                 Some(count_type) if is_corners(property.name) => {
-                    let place = body.place();
+                    let place = body.mark().place();
                     let count = body.index(count_type, "the number of corners")?;
                     let corners = (0..count).map(|_| corner(property.value_type, points, body));
                     let corners = corners.collect::<Result<_, _>>()?;
@@ -135,14 +135,14 @@ fn read_polygons(
 }
 
 fn corner(value_type: Scalar, points: usize, body: &mut Body<'_>) -> Result<u32, Failure> {
-    let place = body.place();
+    let mark = body.mark();
     let value = body.scalar(value_type, "a corner")?;
     if value >= 0.0 && value < points as f64 && value.fract() == 0.0 {
         return Ok(value as u32);
     }
     let found = value.to_string();
     Err((
-        place,
+        mark.place(),
         MeshProblem::NoSuchPoint {
             found,
             count: points,

@@ -20,11 +20,12 @@ pub(super) struct Line<'a> {
     number: usize,
 }
 
-/// A word and where it begins.
+/// A word and where it begins. Characters are counted only when somebody asks, since lines may be long.
 #[derive(Clone, Copy)]
 pub(super) struct Word<'a> {
     pub(super) text: &'a str,
-    pub(super) place: MeshPlace,
+    line: Line<'a>,
+    offset: usize,
 }
 
 impl<'a> Lines<'a> {
@@ -83,9 +84,10 @@ impl<'a> Line<'a> {
     /// The next word, or the failure that the line ends where `expected` is.
     pub(super) fn expect(&mut self, expected: &'static str) -> Result<Word<'a>, Failure> {
         let what = "line";
-        let end = self.place(self.text.len());
-        self.next()
-            .ok_or((end, MeshProblem::Ends { what, expected }))
+        self.next().ok_or_else(|| {
+            let end = self.place(self.text.len());
+            (end, MeshProblem::Ends { what, expected })
+        })
     }
 
     /// The next word as a number that is `expected`.
@@ -101,7 +103,7 @@ impl<'a> Line<'a> {
             Ok(value) if value.is_finite() => Ok(value),
             Ok(_) => {
                 let found = shortened(word.text, 40);
-                Err((word.place, MeshProblem::NotFinite { found }))
+                Err((word.place(), MeshProblem::NotFinite { found }))
             }
             Err(_) => Err(word.is_not("a coordinate")),
         }
@@ -149,22 +151,27 @@ impl<'a> Iterator for Line<'a> {
         let length = rest.find(char::is_whitespace).unwrap_or(rest.len());
         let (text, after) = rest.split_at(length);
         self.rest = after;
-        let place = self.place(offset);
-        (!text.is_empty()).then_some(Word { text, place })
+        let line = *self;
+        (!text.is_empty()).then_some(Word { text, line, offset })
     }
 }
 
 impl Word<'_> {
+    /// Where it begins.
+    pub(super) fn place(self) -> MeshPlace {
+        self.line.place(self.offset)
+    }
+
     /// The failure that this word is not `expected`.
     pub(super) fn is_not(self, expected: &'static str) -> Failure {
         let found = shortened(self.text, 40);
-        (self.place, MeshProblem::Expected { expected, found })
+        (self.place(), MeshProblem::Expected { expected, found })
     }
 
     /// The failure that this word names none of `count` points.
     pub(super) fn is_no_point(self, count: usize) -> Failure {
         let found = shortened(self.text, 40);
-        (self.place, MeshProblem::NoSuchPoint { found, count })
+        (self.place(), MeshProblem::NoSuchPoint { found, count })
     }
 }
 

@@ -19,6 +19,23 @@ pub(super) enum Body<'a> {
     },
 }
 
+/// A place that may be asked for.
+pub(super) enum Mark<'a> {
+    /// The next word of a line.
+    Word(Line<'a>),
+    Place(MeshPlace),
+}
+
+impl Mark<'_> {
+    /// Counts the characters before it.
+    pub(super) fn place(&self) -> MeshPlace {
+        match self {
+            Mark::Word(line) => line.here(),
+            Mark::Place(place) => *place,
+        }
+    }
+}
+
 /// The order of the bytes of a value.
 #[derive(Clone, Copy)]
 pub(super) enum Endian {
@@ -56,14 +73,14 @@ impl<'a> Body<'a> {
         Ok(())
     }
 
-    /// Where the next value is, or the line that holds it.
-    pub(super) fn place(&self) -> MeshPlace {
+    /// Where the next value is.
+    pub(super) fn mark(&self) -> Mark<'a> {
         match self {
             Body::Text {
                 line: Some(line), ..
-            } => line.here(),
-            Body::Text { lines, .. } => lines.end(),
-            Body::Bytes { at, .. } => MeshPlace::Byte(*at),
+            } => Mark::Word(*line),
+            Body::Text { lines, .. } => Mark::Place(lines.end()),
+            Body::Bytes { at, .. } => Mark::Place(MeshPlace::Byte(*at)),
         }
     }
 
@@ -94,13 +111,13 @@ impl<'a> Body<'a> {
 
     /// The next value as a finite coordinate.
     pub(super) fn coordinate(&mut self, scalar: Scalar) -> Result<f64, Failure> {
-        let place = self.place();
+        let mark = self.mark();
         let value = self.scalar(scalar, "a coordinate")?;
         if value.is_finite() {
             return Ok(value);
         }
         let found = value.to_string();
-        Err((place, MeshProblem::NotFinite { found }))
+        Err((mark.place(), MeshProblem::NotFinite { found }))
     }
 
     /// The next value as a whole number that is not negative.
@@ -109,13 +126,13 @@ impl<'a> Body<'a> {
         scalar: Scalar,
         expected: &'static str,
     ) -> Result<usize, Failure> {
-        let place = self.place();
+        let mark = self.mark();
         let value = self.scalar(scalar, expected)?;
         if value >= 0.0 && value.fract() == 0.0 {
             return Ok(value as usize);
         }
         let found = value.to_string();
-        Err((place, MeshProblem::Expected { expected, found }))
+        Err((mark.place(), MeshProblem::Expected { expected, found }))
     }
 }
 

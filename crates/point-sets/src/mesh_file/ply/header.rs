@@ -75,7 +75,7 @@ impl<'a> Header<'a> {
                     name: line.expect("the name of an element")?.text,
                     count: line.number("the number of elements")?,
                     properties: Vec::new(),
-                    place: keyword.place,
+                    place: keyword.place(),
                 }),
                 ("property", Some(element)) => element.properties.push(property(line)?),
                 _ => return Err(keyword.is_not("an element, a property or end_header")),
