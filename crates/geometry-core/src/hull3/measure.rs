@@ -35,7 +35,10 @@ fn dot(a: Point3, b: Point3) -> f64 {
 impl Hull3 {
     /// The volume, rounded: 0 below dimension 3, infinite where cubes of coordinates overflow.
     pub fn volume(&self, points: Points<'_, 3>) -> f64 {
-        self.tetrahedra(points).map(|(volume, _)| volume).sum()
+        self.tetrahedra(points)
+            .map(|(sextuple, _)| sextuple)
+            .sum::<f64>()
+            / 6.0
     }
 
     /// The surface area, rounded; of a planar hull the area of one side.
@@ -67,14 +70,14 @@ impl Hull3 {
         Some([0, 1, 2].map(|i| origin[i] + moment[i] / (4.0 * total)))
     }
 
-    /// The volumes of the tetrahedra from the first vertex over all triangles, each with the sum of its other
-    /// corners relative to that vertex.
+    /// Six times the volumes of the tetrahedra from the first vertex over all triangles, each with the sum of its
+    /// other corners relative to that vertex.
     fn tetrahedra(&self, points: Points<'_, 3>) -> impl Iterator<Item = (f64, Point3)> {
         let origin = self.vertices().first().map_or([0.0; 3], |&id| points[id]);
         self.triangles().map(move |corners| {
             let [a, b, c] = corners.map(|id| minus(points[id], origin));
             let sum = [0, 1, 2].map(|i| a[i] + b[i] + c[i]);
-            (dot(cross(a, b), c) / 6.0, sum)
+            (dot(cross(a, b), c), sum)
         })
     }
 
