@@ -8,7 +8,7 @@
 //! | [`stats`], [`theory`] | statistics; expected numbers of vertices |
 //! | [`space`] | what papers on hulls in space share: sets, certificates, counts, rows |
 //! | [`timing`] | samples of time, interleaved and warm |
-//! | [`verdict`] | outcomes and how parts make a whole |
+//! | [`verdict`], [`prediction`] | outcomes and how parts make a whole; what we expected |
 //! | [`render`] | the pieces of a report: sheets, plots, claims, the folder |
 //! | [`provenance`], [`progress`], [`parallel`] | where a report comes from; how far it is; two sets at a time |
 
@@ -16,6 +16,7 @@ mod data;
 mod green_silverman;
 mod paper;
 mod parallel;
+mod prediction;
 mod progress;
 mod provenance;
 mod render;

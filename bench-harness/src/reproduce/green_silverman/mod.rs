@@ -26,6 +26,7 @@ mod topics;
 mod verdicts;
 
 use super::paper::{Judged, Paper, Request};
+use super::prediction::Checked;
 use super::provenance::Provenance;
 use super::render::folder::Folder;
 use super::verdict::Verdict;
@@ -36,7 +37,6 @@ use records::Records;
 use render::peels::Figure;
 use std::time::Instant;
 use topics::{Experiment, Topic};
-use verdicts::predictions::Checked;
 
 /// The paper, for the list of papers.
 pub(super) const GREEN_SILVERMAN: Paper = Paper {

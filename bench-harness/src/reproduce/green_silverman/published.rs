@@ -2,6 +2,7 @@
 
 use super::definition::PAPER;
 use crate::reproduce::data::{Claim, claims, in_checkout_or, rows};
+use crate::reproduce::prediction::{Prediction, predictions};
 use anyhow::{Context, Result};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -36,22 +37,6 @@ pub(crate) struct Threshold {
     pub(crate) exponent: i32,
 }
 
-/// A prediction of ours, made before the run.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Prediction {
-    pub(crate) id: String,
-    /// The quantity, by the name under which it is computed.
-    pub(crate) measure: String,
-    pub(crate) statement: String,
-    /// The paper's own value of it, if it has one.
-    pub(crate) published: Option<f64>,
-    /// The prediction holds from here …
-    pub(crate) low: f64,
-    /// … to here.
-    pub(crate) high: f64,
-}
-
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Table2Row {
@@ -59,12 +44,6 @@ struct Table2Row {
     n: usize,
     quantity: String,
     value: f64,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Predictions {
-    prediction: Vec<Prediction>,
 }
 
 /// The text of a published file: the checkout's, or the copy built into the program.
@@ -93,13 +72,12 @@ impl Published {
             .map(|row| ((row.distribution, row.n, row.quantity), row.value))
             .collect();
         let claims = claims(&text!("published", "claims.toml")?)?;
-        let predictions: Predictions = toml::from_str(&text!("definitions", "predictions.toml")?)
-            .context("in predictions.toml")?;
+        let predictions = predictions(&text!("definitions", "predictions.toml")?)?;
         Ok(Self {
             table1,
             table2,
             claims,
-            predictions: predictions.prediction,
+            predictions,
         })
     }
 

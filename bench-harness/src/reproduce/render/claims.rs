@@ -1,7 +1,8 @@
-//! Claims and the verdicts on them, for any paper.
+//! Claims and the verdicts on them, and predictions, for any paper.
 
-use super::sheet::Sheet;
+use super::sheet::{Sheet, fixed};
 use crate::reproduce::data::Claim;
+use crate::reproduce::prediction::Checked;
 use crate::reproduce::verdict::{Outcome, Verdict};
 
 fn find<'a>(claims: &'a [Claim], id: &str) -> Option<&'a Claim> {
@@ -69,6 +70,35 @@ pub(crate) fn summary(verdicts: &[Verdict], claims: &[Claim]) -> Sheet {
             statement,
             format!("**{}**", verdict.outcome),
             format!("{confirmed} of {}", verdict.parts.len()),
+        ]);
+    }
+    sheet
+}
+
+/// The predictions that this run measured, in one table.
+pub(crate) fn predicted(predictions: &[Checked<'_>]) -> Sheet {
+    let mut sheet = Sheet::new(&[
+        "prediction",
+        "measure",
+        "in the paper",
+        "predicted",
+        "measured",
+        "held",
+    ]);
+    for checked in predictions {
+        let Some(held) = checked.held() else { continue };
+        let prediction = checked.prediction;
+        sheet.push(vec![
+            prediction.statement.clone(),
+            prediction.measure.clone(),
+            fixed(prediction.published, 2),
+            format!("{} to {}", prediction.low, prediction.high),
+            fixed(checked.measured, 4),
+            if held {
+                "yes".to_owned()
+            } else {
+                "**no**".to_owned()
+            },
         ]);
     }
     sheet

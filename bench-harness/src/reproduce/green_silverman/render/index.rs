@@ -1,12 +1,11 @@
 //! The report's first page.
 
-use super::claims::predicted;
 use crate::reproduce::green_silverman::definition::Definition;
 use crate::reproduce::green_silverman::published::Published;
 use crate::reproduce::green_silverman::records::Records;
 use crate::reproduce::green_silverman::topics::Topic;
-use crate::reproduce::green_silverman::verdicts::predictions::Checked;
-use crate::reproduce::render::claims::summary;
+use crate::reproduce::prediction::Checked;
+use crate::reproduce::render::claims::{predicted, summary};
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::sheet::Sheet;
 use crate::reproduce::verdict::Verdict;

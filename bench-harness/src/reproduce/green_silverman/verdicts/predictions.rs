@@ -5,33 +5,14 @@ use super::gs9::layers_constant;
 use crate::reproduce::green_silverman::derived::{
     a_point, count_ratio, counts_against_n, median_time,
 };
-use crate::reproduce::green_silverman::published::{Prediction, Published};
+use crate::reproduce::green_silverman::published::Published;
 use crate::reproduce::green_silverman::records::{CountRow, PeelRow, Records};
+use crate::reproduce::prediction::{self, Checked};
 use crate::reproduce::stats::summary::mean;
-
-/// A prediction and the value it is about.
-#[derive(Clone, Debug)]
-pub(crate) struct Checked<'a> {
-    pub(crate) prediction: &'a Prediction,
-    /// `None` if the run did not measure it.
-    pub(crate) measured: Option<f64>,
-}
-
-impl Checked<'_> {
-    /// Whether the value lies where it was predicted to lie.
-    pub(crate) fn held(&self) -> Option<bool> {
-        self.measured
-            .map(|value| (self.prediction.low..=self.prediction.high).contains(&value))
-    }
-}
 
 /// Every prediction, checked.
 pub(crate) fn check<'a>(records: &Records, published: &'a Published) -> Vec<Checked<'a>> {
-    let check = |prediction: &'a Prediction| Checked {
-        prediction,
-        measured: measure(&prediction.id, records),
-    };
-    published.predictions.iter().map(check).collect()
+    prediction::check(&published.predictions, |id| measure(id, records))
 }
 
 /// The value of the prediction's measure.
