@@ -8,6 +8,7 @@ pub use measure::Location;
 use crate::kernel::space::{Kernel3, lexicographic3};
 use crate::mesh::TriMesh;
 use crate::points::Points;
+use facets::Loops;
 
 /// The convex hull of a point set in space.
 ///
@@ -51,7 +52,13 @@ impl Hull3 {
     ///
     /// O(f) orientations and O(f log f) time for f triangles; O(k log k) more for a facet of k triangles.
     pub fn from_mesh<K: Kernel3>(points: Points<'_, 3>, mesh: &TriMesh, kernel: &K) -> Self {
-        Hull3::Solid(Solid::from_loops(facets::facets(points, mesh, kernel)))
+        let facets = facets::facets(points, mesh, kernel);
+        let mut is_vertex = vec![false; points.len()];
+        for &id in &facets.corners {
+            is_vertex[id as usize] = true;
+        }
+        let vertices = points.ids().filter(|&id| is_vertex[id as usize]).collect();
+        Hull3::Solid(Solid::in_order(facets, vertices))
     }
 
     /// The planar hull with these corners in cyclic order, in either direction.
@@ -130,26 +137,42 @@ impl Solid {
     /// # Cost
     ///
     /// O(m log m) time for m corners in all.
-    pub fn from_loops(mut loops: Vec<Vec<u32>>) -> Self {
-        for corners in &mut loops {
-            let first = (0..corners.len()).min_by_key(|&i| corners[i]).unwrap_or(0);
-            corners.rotate_left(first);
+    pub fn from_loops(loops: Vec<Vec<u32>>) -> Self {
+        let mut facets = Loops::with_capacity(loops.len(), loops.iter().map(Vec::len).sum());
+        for corners in &loops {
+            facets.push(corners);
         }
-        loops.sort_unstable();
-        let mut starts = Vec::with_capacity(loops.len() + 1);
-        let mut corners = Vec::with_capacity(loops.iter().map(Vec::len).sum());
-        for facet in loops {
-            starts.push(corners.len() as u32);
-            corners.extend(facet);
-        }
-        starts.push(corners.len() as u32);
-        let mut vertices = corners.clone();
+        let mut vertices = facets.corners.clone();
         vertices.sort_unstable();
         vertices.dedup();
+        Self::in_order(facets, vertices)
+    }
+
+    /// The solid with these facets, starting anywhere and in any order; `vertices` are all their corners, ascending.
+    ///
+    /// The facets are sorted by their first two corners, side by side in memory: no two facets of a surface share both.
+    fn in_order(mut facets: Loops, vertices: Vec<u32>) -> Self {
+        let mut order: Vec<(u64, u32)> = Vec::with_capacity(facets.len());
+        for i in 0..facets.len() {
+            let range = facets.range(i);
+            let corners = &mut facets.corners[range];
+            let first = (0..corners.len()).min_by_key(|&i| corners[i]).unwrap_or(0);
+            corners.rotate_left(first);
+            let [first, second] = [0, 1].map(|i| u64::from(corners.get(i).copied().unwrap_or(0)));
+            order.push((first << 32 | second, i as u32));
+        }
+        let corners = |i: u32| &facets.corners[facets.range(i as usize)];
+        order.sort_unstable_by(|(key, i), (other, j)| {
+            key.cmp(other).then_with(|| corners(*i).cmp(corners(*j)))
+        });
+        let mut sorted = Loops::with_capacity(facets.len(), facets.corners.len());
+        for &(_, i) in &order {
+            sorted.push(corners(i));
+        }
         Self {
             vertices,
-            starts,
-            corners,
+            starts: sorted.starts,
+            corners: sorted.corners,
         }
     }
 

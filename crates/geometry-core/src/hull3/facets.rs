@@ -13,12 +13,40 @@ use crate::kernel::space::Kernel3;
 use crate::mesh::{SideId, TriMesh, TriangleId};
 use crate::points::Points;
 
+/// Polygons one behind the other in one vector.
+#[derive(Debug)]
+pub(super) struct Loops {
+    /// Polygon i is `corners[starts[i]..starts[i + 1]]`.
+    pub(super) starts: Vec<u32>,
+    pub(super) corners: Vec<u32>,
+}
+
+impl Loops {
+    pub(super) fn with_capacity(polygons: usize, corners: usize) -> Self {
+        let mut starts = Vec::with_capacity(polygons + 1);
+        starts.push(0);
+        Self {
+            starts,
+            corners: Vec::with_capacity(corners),
+        }
+    }
+
+    pub(super) fn push(&mut self, corners: &[u32]) {
+        self.corners.extend_from_slice(corners);
+        self.starts.push(self.corners.len() as u32);
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    pub(super) fn range(&self, i: usize) -> std::ops::Range<usize> {
+        self.starts[i] as usize..self.starts[i + 1] as usize
+    }
+}
+
 /// The facets, each anticlockwise seen from outside.
-pub(super) fn facets<K: Kernel3>(
-    points: Points<'_, 3>,
-    mesh: &TriMesh,
-    kernel: &K,
-) -> Vec<Vec<u32>> {
+pub(super) fn facets<K: Kernel3>(points: Points<'_, 3>, mesh: &TriMesh, kernel: &K) -> Loops {
     let merger = Merger {
         points,
         mesh,
@@ -27,7 +55,7 @@ pub(super) fn facets<K: Kernel3>(
     let mut used = vec![false; mesh.slots()];
     // The number of the facet, plus one, whose walk last met a triangle.
     let mut met = vec![0_u32; mesh.slots()];
-    let mut facets: Vec<Vec<u32>> = Vec::with_capacity(mesh.len());
+    let mut facets = Loops::with_capacity(mesh.len(), 3 * mesh.len());
     for triangle in mesh.triangles() {
         if used[triangle.0 as usize] {
             continue;
@@ -38,10 +66,10 @@ pub(super) fn facets<K: Kernel3>(
             .into_iter()
             .all(|side| !merger.is_coplanar_across(side))
         {
-            facets.push(mesh.corners(triangle).to_vec());
+            facets.push(&mesh.corners(triangle));
         } else if !merger.is_flat(triangle) {
             let walk = facets.len() as u32 + 1;
-            facets.push(merger.facet_around(triangle, walk, &mut met, &mut used));
+            facets.push(&merger.facet_around(triangle, walk, &mut met, &mut used));
         }
     }
     facets
