@@ -20,6 +20,10 @@ mod prediction;
 mod progress;
 mod provenance;
 mod render;
+#[allow(
+    dead_code,
+    reason = "the experiments of the spatial papers, which are next, are made of these"
+)]
 mod space;
 mod stats;
 mod theory;

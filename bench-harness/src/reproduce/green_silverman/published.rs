@@ -92,11 +92,6 @@ impl Published {
     pub(crate) fn ratio_to_gs(&self, distribution: &str, n: usize, method: &str) -> Option<f64> {
         Some(self.table2(distribution, n, method)? / self.table2(distribution, n, "gs")?)
     }
-
-    /// The claim called `id`.
-    pub(crate) fn claim(&self, id: &str) -> Option<&Claim> {
-        self.claims.iter().find(|claim| claim.id == id)
-    }
 }
 
 /// The distributions of Table 2, in its order.
