@@ -2,18 +2,19 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`paper`] | what a paper is to the harness |
+//! | `paper` | what a paper is to the harness |
 //! | one folder a paper | its definition, experiments, records, verdicts and report |
-//! | [`data`] | definitions, published figures and claims, from `data/` |
-//! | [`stats`], [`theory`] | statistics; expected numbers of vertices |
-//! | [`space`] | what papers on hulls in space share: sets, certificates, counts, rows |
-//! | [`timing`] | samples of time, interleaved and warm |
-//! | [`verdict`], [`prediction`] | outcomes and how parts make a whole; what we expected |
-//! | [`render`] | the pieces of a report: sheets, plots, claims, the folder |
-//! | [`provenance`], [`progress`], [`parallel`] | where a report comes from; how far it is; two sets at a time |
+//! | `data` | definitions, published figures and claims, from `data/` |
+//! | `stats`, `theory` | statistics; expected numbers of vertices |
+//! | `space` | what papers on hulls in space share: sets, certificates, counts, rows |
+//! | `timing` | samples of time, interleaved and warm |
+//! | `verdict`, `prediction` | outcomes and how parts make a whole; what we expected |
+//! | `render` | the pieces of a report: sheets, plots, claims, the folder |
+//! | `provenance`, `progress`, `parallel` | where a report comes from; how far it is; two sets at a time |
 
 mod data;
 mod green_silverman;
+mod nathan;
 mod paper;
 mod parallel;
 mod prediction;
@@ -40,7 +41,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 /// Every paper, in the order of the report.
-const PAPERS: &[Paper] = &[green_silverman::GREEN_SILVERMAN];
+const PAPERS: &[Paper] = &[green_silverman::GREEN_SILVERMAN, nathan::NATHAN];
 
 /// The options of `hullbench reproduce`.
 #[derive(clap::Args, Clone, Debug)]

@@ -6,12 +6,14 @@
 //! | [`certify`](mod@certify) | one hull proved, all other methods' results held against it |
 //! | [`count`](mod@count) | a registered method run with every question counted |
 //! | [`rows`] | the rows these leave behind |
+//! | [`ratio`] | times of one contestant over another's |
 //!
 //! The interleaved timing loop is [`super::timing`], the expected numbers of vertices are
 //! [`super::theory::hull_size_in_space`].
 
 pub(crate) mod certify;
 pub(crate) mod count;
+pub(crate) mod ratio;
 pub(crate) mod rows;
 pub(crate) mod sets;
 

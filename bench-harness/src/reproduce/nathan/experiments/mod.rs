@@ -1,0 +1,44 @@
+//! The experiments: each takes the definition and adds rows to the records.
+//!
+//! | module | does | for |
+//! |---|---|---|
+//! | [`wraps`] | wraps as printed, corrected, and by pivoting, everything counted | N-1, N-2, N-3 |
+//! | [`starts`] | first points that are on the hull or not | N-4 |
+//! | [`epsilon`] | the paper's arithmetic against exact answers | N-5 |
+//! | [`times`], [`own_corners`] | the own corners tested or skipped, and registered methods, on the clock | N-6 |
+//! | [`lifting`] | triangulations by rounded and by exact lifts | N-7 |
+//! | [`sweep`] | a moving box and its obstacles | N-8 |
+//! | [`sizes`] | numbers of vertices over many replicates | |
+
+pub(crate) mod epsilon;
+pub(crate) mod lifting;
+pub(crate) mod own_corners;
+pub(crate) mod sizes;
+pub(crate) mod starts;
+pub(crate) mod sweep;
+pub(crate) mod times;
+pub(crate) mod wraps;
+
+use crate::reproduce::space::certify::certify;
+use crate::reproduce::space::rows::FailureRow;
+use crate::reproduce::space::sets::PointSet3;
+use anyhow::Result;
+use geometry_core::Hull3;
+
+/// The certified hull of `set`, by the fast method; the failure if there is none.
+fn proved(stage: &str, set: &PointSet3) -> Result<Result<Hull3, Vec<FailureRow>>> {
+    let certified = certify(stage, set, &["quickhull-3d".to_owned()])?;
+    Ok(certified.hull.ok_or(certified.failures))
+}
+
+/// A failure of `method` on `set`.
+fn failure(stage: &str, set: &PointSet3, method: &str, what: &str) -> FailureRow {
+    FailureRow {
+        stage: stage.to_owned(),
+        distribution: set.distribution.clone(),
+        n: set.n,
+        replicate: set.replicate,
+        method: method.to_owned(),
+        what: what.to_owned(),
+    }
+}

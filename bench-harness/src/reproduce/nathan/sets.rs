@@ -1,0 +1,109 @@
+//! The sets of this paper's experiments: those of the catalogue, moved away from the origin or put in another order.
+
+use super::definition::Order;
+use crate::reproduce::space::sets::PointSet3;
+use anyhow::{Context, Result};
+use geometry_core::Point2;
+use point_sets::Spec;
+use sha2::{Digest, Sha256};
+use std::str::FromStr;
+
+/// Points of the unit sphere, pushed out to distance 1 from the z axis: the paper's epsilon is next to nothing here.
+pub(crate) const CYLINDER: &str = "cylinder";
+
+/// Replicate `replicate` of the cell (`name`, `n`): of [`CYLINDER`] or of a set of the catalogue.
+pub(crate) fn generate(seed: u64, name: &str, n: usize, replicate: u64) -> Result<PointSet3> {
+    if name != CYLINDER {
+        return PointSet3::generate(seed, name, n, replicate);
+    }
+    let sphere = PointSet3::generate(seed, "sphere", n, replicate)?;
+    Ok(sphere.changed(CYLINDER, |points| {
+        for [x, y, _] in points {
+            let length = (*x * *x + *y * *y).sqrt();
+            (*x, *y) = (*x / length, *y / length);
+        }
+    }))
+}
+
+/// The set with `offset` added to every coordinate, rounded: what a method is then given.
+pub(crate) fn moved(set: PointSet3, offset: f64) -> PointSet3 {
+    let name = set.distribution.clone();
+    set.changed(&name, |points| {
+        for coordinate in points.as_flattened_mut() {
+            *coordinate += offset;
+        }
+    })
+}
+
+/// The set in another order.
+pub(crate) fn ordered(set: PointSet3, order: Order) -> PointSet3 {
+    let name = set.distribution.clone();
+    set.changed(&name, |points| {
+        if order == Order::InsideOut {
+            let square = |p: &[f64; 3]| p.iter().map(|x| x * x).sum::<f64>();
+            points.sort_by(|p, q| square(p).total_cmp(&square(q)));
+        }
+    })
+}
+
+/// Points of the plane, with `offset` added to every coordinate.
+pub(crate) fn generate_planar(
+    seed: u64,
+    name: &str,
+    n: usize,
+    replicate: u64,
+    offset: f64,
+) -> Result<Vec<Point2>> {
+    let spec = Spec::from_str(name).with_context(|| format!("the distribution {name:?}"))?;
+    let seed = point_sets::cell_seed(seed, &spec, n, replicate);
+    let mut points = spec
+        .generate(n, seed)
+        .with_context(|| format!("generating {n} points of {name:?}"))?;
+    for coordinate in points.as_flattened_mut() {
+        *coordinate += offset;
+    }
+    Ok(points)
+}
+
+/// SHA-256, shortened, over fingerprints in order: one name for all the sets of a cell.
+pub(crate) fn digest<S: AsRef<str>>(fingerprints: impl IntoIterator<Item = S>) -> String {
+    let mut digest = Sha256::new();
+    for fingerprint in fingerprints {
+        digest.update(fingerprint.as_ref());
+    }
+    let bytes = digest.finalize();
+    bytes
+        .iter()
+        .take(8)
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cylinder_is_one() {
+        let set = generate(1, CYLINDER, 50, 0).expect("a set");
+        assert!(
+            set.points
+                .iter()
+                .all(|[x, y, _]| (x.hypot(*y) - 1.0).abs() < 1e-15)
+        );
+        let far = moved(set.clone(), 1e3);
+        assert!(far.points.iter().all(|p| p[2] >= 999.0));
+        assert_ne!(far.fingerprint(), set.fingerprint());
+    }
+
+    #[test]
+    fn inside_out_ends_far_out() {
+        let set = ordered(generate(1, "ball", 50, 0).expect("a set"), Order::InsideOut);
+        let square = |p: &[f64; 3]| p.iter().map(|x| x * x).sum::<f64>();
+        assert!(
+            set.points
+                .windows(2)
+                .all(|w| square(&w[0]) <= square(&w[1]))
+        );
+    }
+}
