@@ -12,6 +12,7 @@
 //! | `render` | the pieces of a report: sheets, plots, claims, the folder |
 //! | `provenance`, `progress`, `parallel` | where a report comes from; how far it is; two sets at a time |
 
+mod balan;
 mod data;
 mod green_silverman;
 mod nathan;
@@ -21,10 +22,6 @@ mod prediction;
 mod progress;
 mod provenance;
 mod render;
-#[allow(
-    dead_code,
-    reason = "the experiments of the spatial papers, which are next, are made of these"
-)]
 mod space;
 mod stats;
 mod theory;
@@ -41,7 +38,11 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 /// Every paper, in the order of the report.
-const PAPERS: &[Paper] = &[green_silverman::GREEN_SILVERMAN, nathan::NATHAN];
+const PAPERS: &[Paper] = &[
+    green_silverman::GREEN_SILVERMAN,
+    nathan::NATHAN,
+    balan::BALAN_MUNJAL_RAO,
+];
 
 /// The options of `hullbench reproduce`.
 #[derive(clap::Args, Clone, Debug)]
