@@ -4,6 +4,7 @@
 
 use bench_harness::commands::{check, delaunay, hull, methods, peel, points, sweep};
 use bench_harness::failure::Failure;
+use bench_harness::gate;
 use bench_harness::output::target::note;
 use bench_harness::reproduce;
 use clap::{Parser, Subcommand};
@@ -57,6 +58,10 @@ enum Command {
     Points(points::Args),
     /// The registered methods: publication, cost, departures
     Methods(methods::Args),
+    /// Whether the exact counts of a fixed small suite are those that are expected
+    Gate(gate::Args),
+    /// Writes the counts of that suite as the expected ones
+    Bless(gate::Args),
     /// The published tables, figures and claims, regenerated and judged
     #[command(after_help = REPRODUCE)]
     Reproduce(reproduce::Args),
@@ -71,6 +76,8 @@ fn main() -> ExitCode {
         Command::Check(args) => check::run(&args),
         Command::Points(args) => points::run(&args),
         Command::Methods(args) => methods::run(&args),
+        Command::Gate(args) => gate::gate(&args).map_err(Failure::from),
+        Command::Bless(args) => gate::bless(&args).map_err(Failure::from),
         Command::Reproduce(args) => reproduce::run(&args).map_err(Failure::from),
     };
     match done {

@@ -21,7 +21,7 @@ mod parallel;
 mod prediction;
 mod progress;
 mod provenance;
-mod render;
+pub(crate) mod render;
 mod space;
 mod stats;
 mod theory;
