@@ -3,6 +3,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`commands`] | the subcommands on a user's own points |
+//! | [`stats`] | intervals, tests and fits: plain functions of plain slices |
 //! | [`output`] | how results leave the program: CSV, JSON, summaries; files that appear whole or not at all |
 //! | [`failure`] | why the program stops early, and the exit code that says so |
 //! | [`reproduce`] | the papers: definitions, experiments, tables, figures, verdicts |
@@ -11,3 +12,4 @@ pub mod commands;
 pub mod failure;
 pub mod output;
 pub mod reproduce;
+pub mod stats;
