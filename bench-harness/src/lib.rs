@@ -3,6 +3,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`commands`] | the subcommands on a user's own points |
+//! | [`records`] | a run on disk: its rows, read, written and appended |
 //! | [`stats`] | intervals, tests and fits: plain functions of plain slices |
 //! | [`output`] | how results leave the program: CSV, JSON, summaries; files that appear whole or not at all |
 //! | [`failure`] | why the program stops early, and the exit code that says so |
@@ -11,5 +12,6 @@
 pub mod commands;
 pub mod failure;
 pub mod output;
+pub mod records;
 pub mod reproduce;
 pub mod stats;
