@@ -3,6 +3,8 @@
 //! | module | holds |
 //! |---|---|
 //! | [`commands`] | the subcommands on a user's own points |
+//! | [`records`] | a run on disk: its rows, read, written and appended |
+//! | [`stats`] | intervals, tests and fits: plain functions of plain slices |
 //! | [`output`] | how results leave the program: CSV, JSON, summaries; files that appear whole or not at all |
 //! | [`failure`] | why the program stops early, and the exit code that says so |
 //! | `counting` | a method run with every question counted |
@@ -20,4 +22,6 @@ mod definition;
 pub mod failure;
 pub mod gate;
 pub mod output;
+pub mod records;
 pub mod reproduce;
+pub mod stats;

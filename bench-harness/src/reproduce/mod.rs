@@ -5,7 +5,7 @@
 //! | `paper` | what a paper is to the harness |
 //! | one folder a paper | its definition, experiments, records, verdicts and report |
 //! | `data` | definitions, published figures and claims, from `data/` |
-//! | `stats`, `theory` | statistics; expected numbers of vertices |
+//! | `theory` | expected numbers of vertices |
 //! | `space` | what papers on hulls in space share: sets, certificates, counts, rows |
 //! | `timing` | samples of time, interleaved and warm |
 //! | `verdict`, `prediction` | outcomes and how parts make a whole; what we expected |
@@ -23,7 +23,6 @@ mod progress;
 mod provenance;
 pub(crate) mod render;
 mod space;
-mod stats;
 mod theory;
 mod timing;
 mod verdict;
