@@ -104,7 +104,7 @@ fn text(table: &Table) -> String {
 fn read(args: &Args) -> Result<Table> {
     let path = args.expected.display();
     let text = std::fs::read_to_string(&args.expected)
-        .map_err(|error| Failure::io(path, &error, "`hullbench bless` writes it"))?;
+        .map_err(|error| Failure::io(&path, &error, "`hullbench bless` writes it"))?;
     let mut table = Table::new();
     for (i, row) in csv::Reader::from_reader(text.as_bytes())
         .into_deserialize()
