@@ -10,6 +10,7 @@
 //! | `counting` | a method run with every question counted |
 //! | `definition` | an experiment as data |
 //! | [`gate`] | the exact counts that are expected to stay as they are |
+//! | `provenance`, `progress`, `parallel` | where a run comes from; how far it is; two sets at a time |
 //! | [`reproduce`] | the papers: definitions, experiments, tables, figures, verdicts |
 
 pub mod commands;
@@ -22,6 +23,9 @@ mod definition;
 pub mod failure;
 pub mod gate;
 pub mod output;
+mod parallel;
+mod progress;
+mod provenance;
 pub mod records;
 pub mod reproduce;
 pub mod stats;

@@ -10,17 +10,13 @@
 //! | `timing` | samples of time, interleaved and warm |
 //! | `verdict`, `prediction` | outcomes and how parts make a whole; what we expected |
 //! | `render` | the pieces of a report: sheets, plots, claims, the folder |
-//! | `provenance`, `progress`, `parallel` | where a report comes from; how far it is; two sets at a time |
 
 mod balan;
 mod data;
 mod green_silverman;
 mod nathan;
 mod paper;
-mod parallel;
 mod prediction;
-mod progress;
-mod provenance;
 pub(crate) mod render;
 mod space;
 mod theory;
@@ -29,6 +25,7 @@ mod verdict;
 
 use crate::failure::Failure;
 use crate::output::target::to_stdout;
+use crate::{parallel, progress, provenance};
 use anyhow::Result;
 use paper::{Judged, Paper, Request};
 use provenance::Provenance;
