@@ -5,6 +5,8 @@
 //! | [`commands`] | the subcommands on a user's own points |
 //! | [`records`] | a run on disk: its rows, read, written and appended |
 //! | [`stats`] | intervals, tests and fits: plain functions of plain slices |
+//! | [`engine`] | programs that compute, each in a process of its own, behind one pipe protocol |
+//! | [`claimed`] | hulls as others state them, as values for the checker |
 //! | [`output`] | how results leave the program: CSV, JSON, summaries; files that appear whole or not at all |
 //! | [`failure`] | why the program stops early, and the exit code that says so |
 //! | `counting` | a method run with every question counted |
@@ -13,6 +15,7 @@
 //! | `provenance`, `progress`, `parallel` | where a run comes from; how far it is; two sets at a time |
 //! | [`reproduce`] | the papers: definitions, experiments, tables, figures, verdicts |
 
+pub mod claimed;
 pub mod commands;
 mod counting;
 #[allow(
@@ -20,6 +23,7 @@ mod counting;
     reason = "the measuring commands, which are next, read definitions"
 )]
 mod definition;
+pub mod engine;
 pub mod failure;
 pub mod gate;
 pub mod output;

@@ -2,7 +2,7 @@
 //!
 //! This file parses the command line and dispatches; the work is in the library of the same package.
 
-use bench_harness::commands::{check, delaunay, hull, methods, peel, points, sweep};
+use bench_harness::commands::{check, delaunay, engine, hull, methods, peel, peers, points, sweep};
 use bench_harness::failure::Failure;
 use bench_harness::gate;
 use bench_harness::output::target::note;
@@ -62,6 +62,10 @@ enum Command {
     Gate(gate::Args),
     /// Writes the counts of that suite as the expected ones
     Bless(gate::Args),
+    /// One of our methods, answering the pipe protocol of the harness
+    Engine(engine::Args),
+    /// Outside programs to compare with: built, and asked who they are
+    Peers(peers::Args),
     /// The published tables, figures and claims, regenerated and judged
     #[command(after_help = REPRODUCE)]
     Reproduce(reproduce::Args),
@@ -78,6 +82,8 @@ fn main() -> ExitCode {
         Command::Methods(args) => methods::run(&args),
         Command::Gate(args) => gate::gate(&args).map_err(Failure::from),
         Command::Bless(args) => gate::bless(&args).map_err(Failure::from),
+        Command::Engine(args) => engine::run(&args),
+        Command::Peers(args) => peers::run(&args),
         Command::Reproduce(args) => reproduce::run(&args).map_err(Failure::from),
     };
     match done {
