@@ -11,6 +11,7 @@
 //! | [`failure`] | why the program stops early, and the exit code that says so |
 //! | `counting` | a method run with every question counted |
 //! | `definition` | an experiment as data |
+//! | [`measure`] | engines verified, counted and timed, into a run on disk |
 //! | [`gate`] | the exact counts that are expected to stay as they are |
 //! | `provenance`, `progress`, `parallel` | where a run comes from; how far it is; two sets at a time |
 //! | [`reproduce`] | the papers: definitions, experiments, tables, figures, verdicts |
@@ -18,14 +19,11 @@
 pub mod claimed;
 pub mod commands;
 mod counting;
-#[allow(
-    dead_code,
-    reason = "the measuring commands, which are next, read definitions"
-)]
 mod definition;
 pub mod engine;
 pub mod failure;
 pub mod gate;
+pub mod measure;
 pub mod output;
 mod parallel;
 mod progress;

@@ -3,7 +3,7 @@
 //! ```toml
 //! id = "small-discs"                    # the file's name
 //! group = "curated"                     # asked for together by this name
-//! task = "planar-hull"
+//! task = "hull2"
 //! seed = 2026                           # every point set's seed is derived from it
 //! question = "Which hull is fastest on few points?"
 //!
@@ -26,32 +26,15 @@
 pub(crate) mod fault;
 pub(crate) mod find;
 
+use crate::engine::protocol::Problem;
+use crate::failure::Failure;
 use fault::Fault;
+use find::Source;
 use serde::Deserialize;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::str::FromStr;
 use toml::Spanned;
-
-/// What engines compute.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum Work {
-    PlanarHull,
-    PlanarLayers,
-    SpatialHull,
-    Delaunay,
-}
-
-impl Work {
-    /// How many coordinates its points have.
-    pub(crate) fn dimension(self) -> usize {
-        match self {
-            Work::SpatialHull => 3,
-            Work::PlanarHull | Work::PlanarLayers | Work::Delaunay => 2,
-        }
-    }
-}
 
 /// What is measured in a cell that every engine has been certified in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
@@ -63,13 +46,19 @@ pub(crate) enum Measure {
     Counts,
 }
 
+/// Whether an engine of that name computes this; if not, why.
+pub(crate) type Known<'a> = &'a dyn Fn(&str, Problem) -> Result<(), String>;
+
+/// The folders of definitions that anyone may run.
+const FOLDERS: [&str; 2] = ["curated", "fast"];
+
 /// An experiment.
 #[derive(Clone, Debug)]
 pub(crate) struct Definition {
     /// Its name, which is its file's.
     pub(crate) id: String,
     pub(crate) group: String,
-    pub(crate) work: Work,
+    pub(crate) problem: Problem,
     pub(crate) seed: u64,
     /// What it is to find out, in words.
     pub(crate) question: String,
@@ -108,7 +97,7 @@ impl Block {
 struct Written {
     id: Spanned<String>,
     group: Spanned<String>,
-    task: Work,
+    task: Problem,
     seed: u64,
     question: Spanned<String>,
     cells: Vec<WrittenBlock>,
@@ -147,22 +136,47 @@ fn a_minute() -> Spanned<u64> {
 }
 
 impl Definition {
+    /// Every definition there is.
+    ///
+    /// # Errors
+    ///
+    /// As [`Definition::at`].
+    pub(crate) fn all(known: Known<'_>) -> Result<Vec<Self>, Failure> {
+        let mut all = Vec::new();
+        for folder in FOLDERS {
+            for source in find::all(folder)? {
+                all.push(Self::read(&source, known)?);
+            }
+        }
+        Ok(all)
+    }
+
+    /// The definition in the file at `path`.
+    ///
+    /// # Errors
+    ///
+    /// A file that cannot be read; the first fault in it.
+    pub(crate) fn at(path: &str, known: Known<'_>) -> Result<Self, Failure> {
+        Self::read(&find::at(path)?, known)
+    }
+
+    fn read(source: &Source, known: Known<'_>) -> Result<Self, Failure> {
+        Self::parse(&source.path, &source.text, known)
+            .map_err(|fault| Failure::Data(fault.to_string()))
+    }
+
     /// Reads the definition `text`, which lies at `path`; `known` says whether an engine of that name computes this.
     ///
     /// # Errors
     ///
     /// The first fault by file, line and field: an unknown key, set or engine, an empty list, a number out of range.
-    pub(crate) fn parse(
-        path: &str,
-        text: &str,
-        known: &dyn Fn(&str, Work) -> Result<(), String>,
-    ) -> Result<Self, Fault> {
+    pub(crate) fn parse(path: &str, text: &str, known: Known<'_>) -> Result<Self, Fault> {
         let written: Written =
             toml::from_str(text).map_err(|error| Fault::of_toml(path, text, &error))?;
         let reader = Reader {
             path,
             text,
-            work: written.task,
+            problem: written.task,
             known,
         };
         let stem = path.rsplit('/').next().unwrap_or(path);
@@ -188,7 +202,7 @@ impl Definition {
         Ok(Self {
             id: written.id.into_inner(),
             group: written.group.into_inner(),
-            work: written.task,
+            problem: written.task,
             seed: written.seed,
             question: written.question.into_inner(),
             cells: cells?,
@@ -207,8 +221,8 @@ impl Definition {
 struct Reader<'a> {
     path: &'a str,
     text: &'a str,
-    work: Work,
-    known: &'a dyn Fn(&str, Work) -> Result<(), String>,
+    problem: Problem,
+    known: Known<'a>,
 }
 
 impl Reader<'_> {
@@ -264,7 +278,7 @@ impl Reader<'_> {
     fn set(&self, name: &Spanned<String>) -> Result<point_sets::Spec, Fault> {
         let spec = point_sets::Spec::from_str(name.as_ref())
             .map_err(|error| self.fault(name.span(), "sets", &error.to_string()))?;
-        let dimension = self.work.dimension();
+        let dimension = self.problem.dimension();
         let fits = spec.dimension() == dimension;
         fits.then_some(spec).ok_or_else(|| {
             let what = format!("'{}' has no points of dimension {dimension}", name.as_ref());
@@ -273,7 +287,8 @@ impl Reader<'_> {
     }
 
     fn engine(&self, name: &Spanned<String>, field: &str) -> Result<(), Fault> {
-        (self.known)(name.as_ref(), self.work).map_err(|what| self.fault(name.span(), field, &what))
+        (self.known)(name.as_ref(), self.problem)
+            .map_err(|what| self.fault(name.span(), field, &what))
     }
 
     fn hold<T: std::fmt::Debug>(
@@ -310,7 +325,7 @@ mod tests {
 
     const GOOD: &str = r#"id = "small"
 group = "tests"
-task = "planar-hull"
+task = "hull2"
 seed = 1
 question = "Does it parse?"
 
@@ -326,7 +341,7 @@ jarvis-j1 = "slow"
 "#;
 
     fn parse(text: &str) -> Result<Definition, String> {
-        let known = |name: &str, _: Work| match hullkit::method(name) {
+        let known = |name: &str, _: Problem| match hullkit::method(name) {
             Some(_) => Ok(()),
             None => Err(format!("no engine is called '{name}'")),
         };

@@ -15,5 +15,7 @@ pub mod holm;
 pub mod interval;
 pub mod kendall;
 pub mod line;
+pub mod ranks;
+pub mod spearman;
 pub mod summary;
 pub mod wilson;
