@@ -80,10 +80,10 @@ pub fn convex_hull_2d_with(points: &[[f64; 2]], boundary: Boundary) -> Result<Hu
 ///
 /// # Cost
 ///
-/// One hull a layer: about 0.4 n L for L layers of random points.
+/// That of method `fast-layers`: O(n log n), whatever the points.
 pub fn convex_layers(points: &[[f64; 2]], boundary: Boundary) -> Result<Layers, HullError> {
     let points = Points::new(points)?;
-    planar_peeling::peel::gs_peel(points, boundary, &Exact, &mut Silent)
+    planar_peeling::fast_layers::fast_layers(points, boundary, &Exact, &mut Silent)
 }
 
 /// The convex hull of `points` of space: its true facets, each anticlockwise seen from outside.
