@@ -57,7 +57,8 @@ pub fn method(slug: &str) -> Option<&'static Method> {
 ///
 /// # Cost
 ///
-/// That of method `gs`: linear on average for the usual distributions, O(n h) at worst; n indices twice.
+/// That of method `fast-2d`: linear on average for the usual distributions, O(n log n) at worst; 28 bytes for each point
+/// that is not obviously inside.
 pub fn convex_hull_2d(points: &[[f64; 2]]) -> Result<Hull2, HullError> {
     convex_hull_2d_with(points, Boundary::Extreme)
 }
@@ -68,8 +69,7 @@ pub fn convex_hull_2d(points: &[[f64; 2]]) -> Result<Hull2, HullError> {
 ///
 /// As [`convex_hull_2d`].
 pub fn convex_hull_2d_with(points: &[[f64; 2]], boundary: Boundary) -> Result<Hull2, HullError> {
-    let points = Points::new(points)?;
-    planar_peeling::gs::gs(points, boundary, &Exact, &mut Silent)
+    quickhull::convex_hull(points, boundary)
 }
 
 /// The convex layers of `points`, outermost first.

@@ -3,6 +3,7 @@
 //! | slug | module | time |
 //! |---|---|---|
 //! | `eddy` | [`eddy`](mod@eddy) | O(n h), about linear on the usual distributions |
+//! | `fast-2d` | [`fast_2d`](mod@fast_2d) | O(n + m log m) for m points left by the throw-away |
 //! | `quickhull-balan` | [`balan_quickhull`](mod@balan_quickhull) | O(n m) for m facets made |
 //! | `quickhull-3d` | [`quickhull_3d`](mod@quickhull_3d) | O(n²); about linear on the usual distributions, O(n log n) on a sphere |
 //!
@@ -18,12 +19,14 @@ use geometry_core::{Method, planar_task, spatial_task};
 
 pub mod balan_quickhull;
 pub mod eddy;
+pub mod fast_2d;
 mod furthest;
 mod horizon;
 pub mod quickhull_3d;
 
 pub use balan_quickhull::balan_quickhull;
 pub use eddy::eddy;
+pub use fast_2d::{convex_hull, fast_2d};
 pub use quickhull_3d::quickhull_3d;
 
 /// The methods of this family.
@@ -36,6 +39,17 @@ pub const METHODS: &[Method] = &[
         departures: eddy::DEPARTURES,
         cost: "O(n h); about linear on average for the usual distributions",
         task: planar_task!(PlanarHull, eddy::eddy),
+    },
+    Method {
+        slug: "fast-2d",
+        title: "Throw-away with certificates, then monotone chains",
+        citation: "S. G. Akl, G. T. Toussaint, A fast convex hull algorithm, Information Processing Letters 7 (1978), \
+                   219-222; L. Devroye, G. T. Toussaint, A note on linear expected time algorithms for finding convex \
+                   hulls, Computing 26 (1981), 361-366; A. M. Andrew, Information Processing Letters 9 (1979), 216-219",
+        departures: fast_2d::DEPARTURES,
+        cost: "O(n + m log m) for m points not thrown away: about linear on average where few points are extreme, \
+               O(n log n) always",
+        task: planar_task!(PlanarHull, fast_2d::fast_2d),
     },
     Method {
         slug: "quickhull-balan",

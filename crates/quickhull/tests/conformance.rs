@@ -13,6 +13,11 @@ fn eddy() {
 }
 
 #[test]
+fn fast_2d() {
+    hull_verify::conformance::planar_hull(method("fast-2d"));
+}
+
+#[test]
 fn quickhull_balan() {
     hull_verify::conformance::spatial_hull(method("quickhull-balan"));
 }
