@@ -26,3 +26,8 @@ fn quickhull_balan() {
 fn quickhull_3d() {
     hull_verify::conformance::spatial_hull(method("quickhull-3d"));
 }
+
+#[test]
+fn fast_3d() {
+    hull_verify::conformance::spatial_hull(method("fast-3d"));
+}

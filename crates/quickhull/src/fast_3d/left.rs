@@ -1,0 +1,49 @@
+//! The points left when those that are certainly inside are discarded.
+
+use super::directions::DirectionMap;
+use geometry_core::{Observer, Point3, Points, Step};
+
+/// Some of the caller's points, in the caller's order, with their indices.
+#[derive(Debug, Default)]
+pub(super) struct Left {
+    pub(super) points: Vec<Point3>,
+    pub(super) ids: Vec<u32>,
+}
+
+impl Left {
+    /// The points, numbered from `first`, that the map does not find inside.
+    pub(super) fn of<O: Observer>(
+        points: &[Point3],
+        first: u32,
+        map: &DirectionMap,
+        observer: &mut O,
+    ) -> Self {
+        let mut left = Self::default();
+        for (&p, id) in points.iter().zip(first..) {
+            observer.step(|| Step::Visit(id));
+            if map.is_inside(p) {
+                observer.step(|| Step::Discard(id));
+            } else {
+                left.points.push(p);
+                left.ids.push(id);
+            }
+        }
+        left
+    }
+
+    /// One point in so many, spread evenly over the points but not at equal distances, as a lattice would not stand that.
+    pub(super) fn sample(points: Points<'_, 3>, size: usize) -> Self {
+        /// 2⁶⁴ divided by the golden ratio: its multiples are spread evenly over 0..2⁶⁴.
+        const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
+        let block = points.len() / size.max(1);
+        let place = |number: usize| {
+            let share = (number as u64 + 1).wrapping_mul(GOLDEN) >> 32;
+            number * block + (share * block as u64 >> 32) as usize
+        };
+        let ids: Vec<u32> = (0..size).map(|number| place(number) as u32).collect();
+        Self {
+            points: ids.iter().map(|&id| points[id]).collect(),
+            ids,
+        }
+    }
+}
