@@ -37,32 +37,47 @@ const CELL: usize = 8;
 
 /// The Delaunay triangulation.
 pub fn fast_delaunay(points: Points<'_, 2>) -> Result<Triangulation, HullError> {
-    let mut sites: Vec<Site> = points
-        .as_slice()
-        .iter()
-        .zip(0..)
-        .map(|(&at, id)| Site { at, id })
-        .collect();
-    let mut halves = vec![Half::UNUSED; 6 * sites.len()];
-    let mut triangulator = Triangulator {
-        sites: &mut sites,
-        rings: Rings::new(&mut halves),
-        unit: Unit::of(points.as_slice()),
-    };
     let n = points.len();
-    let Some(part) = triangulator.solve(0, n) else {
+    let named = points.as_slice().iter().zip(0..);
+    let named = named.map(|(&at, id)| Site { at, id });
+    let mut halves = vec![Half::default(); 6 * n];
+    let rings = Rings::new(&mut halves);
+    let unit = Unit::of(points.as_slice());
+    let mut sites;
+    let mut triangulator;
+    let part = if n <= FEW {
+        sites = named.collect::<Vec<_>>();
+        triangulator = Triangulator {
+            sites: &mut sites,
+            rings,
+            unit,
+        };
+        triangulator.solve(0, n)
+    } else {
+        sites = vec![Site { at: [0.0; 2], id: 0 }; n];
+        let extent = Extent::of(points.as_slice().iter().copied());
+        let mut grid = Grid::new(&extent, (n / CELL).ilog2());
+        grid.sort(named, &mut sites);
+        triangulator = Triangulator {
+            sites: &mut sites,
+            rings,
+            unit,
+        };
+        triangulator.solve_cells(0, &grid, 0, grid.starts.len() - 1, 0)
+    };
+    let Some(part) = part else {
         return Ok(Triangulation::default());
     };
-    let Triangulator {
-        mut rings, sites, ..
-    } = triangulator;
     let out = part.first[0].out;
     if out == rings::NONE {
         return Ok(Triangulation::default());
     }
+    let Triangulator {
+        mut rings, sites, ..
+    } = triangulator;
     rings.drop_outside(out);
-    let mut triangles = Vec::with_capacity(2 * n);
-    rings.triangles(|v| sites[v as usize].id, |corners| triangles.push(corners));
+    let names: Vec<u32> = sites.iter().map(|site| site.id).collect();
+    let triangles = rings.triangles(2 * n, |v| names[v as usize]);
     Ok(Triangulation::new(triangles))
 }
 
@@ -80,7 +95,7 @@ impl Triangulator<'_> {
             1 => return Some(Part::point(from as u32)),
             _ => {}
         }
-        let extent = Extent::of(sites);
+        let extent = Extent::of(sites.iter().map(|site| site.at));
         if extent.is_point() {
             let least = (0..sites.len()).min_by_key(|&i| sites[i].id).unwrap_or(0);
             sites.swap(0, least);

@@ -1,7 +1,7 @@
 //! The smallest box around sites.
 
-use super::Site;
 use super::part::Across;
+use geometry_core::Point2;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Extent {
@@ -10,14 +10,14 @@ pub(super) struct Extent {
 }
 
 impl Extent {
-    pub(super) fn of(sites: &[Site]) -> Self {
+    pub(super) fn of(places: impl Iterator<Item = Point2>) -> Self {
         let mut extent = Self {
             low: [f64::INFINITY; 2],
             high: [f64::NEG_INFINITY; 2],
         };
-        for site in sites {
+        for place in places {
             for axis in [0, 1] {
-                let x = site.at[axis];
+                let x = place[axis];
                 extent.low[axis] = if x < extent.low[axis] {
                     x
                 } else {
