@@ -31,12 +31,13 @@ use geometry_core::{Exact, Silent};
 
 /// Every registered method, family by family.
 pub fn methods() -> impl Iterator<Item = &'static Method> {
-    let families: [&'static [Method]; 6] = [
+    let families: [&'static [Method]; 7] = [
         planar_peeling::METHODS,
         quickhull::METHODS,
         gift_wrap::METHODS,
         incremental::METHODS,
         divide_and_conquer::METHODS,
+        lifted_delaunay::METHODS,
         delaunay::METHODS,
     ];
     families.into_iter().flatten()
