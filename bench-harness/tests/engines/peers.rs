@@ -35,6 +35,18 @@ fn peers_that_are_not_built_are_listed_with_what_is_missing() {
 }
 
 #[test]
+fn the_list_as_json_holds_everything() {
+    let cache = tempfile::tempdir().unwrap();
+    let cache = cache.path().to_str().unwrap();
+    let output = hullbench(&["peers", "list", "--format", "json", "--cache", cache]);
+    let list: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(list.as_array().unwrap().len(), peers::all().count());
+    assert_eq!(list[0]["name"], "qhull");
+    assert_eq!(list[0]["problems"][1], "hull3");
+    assert!(list[0]["missing"].is_string() && list[0]["receipt"].is_null());
+}
+
+#[test]
 fn a_named_peer_that_is_missing_is_a_failure() {
     let cache = tempfile::tempdir().unwrap();
     let cache = cache.path().to_str().unwrap();

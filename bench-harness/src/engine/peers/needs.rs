@@ -85,8 +85,9 @@ fn finds_header(header: &str) -> bool {
         return false;
     };
     if let Some(mut stdin) = child.stdin.take() {
-        // A compiler that has not read it all has failed, and says so by its status.
-        let _ = writeln!(stdin, "#include <{header}>");
+        // Asked whether it is there, a compiler does not read it, nor the thousand headers behind it. One that has not
+        // read the question has failed, and says so by its status.
+        let _ = writeln!(stdin, "#if !__has_include(<{header}>)\n#error\n#endif");
     }
     child.wait().is_ok_and(|status| status.success())
 }
