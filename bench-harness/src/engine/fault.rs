@@ -66,7 +66,12 @@ impl fmt::Display for Fault {
             }
             Fault::Crashed { status, stderr } => {
                 write!(f, "ended with {status}")?;
-                match stderr.trim().lines().next_back() {
+                let lines = stderr.lines().map(str::trim);
+                // Rust ends with advice about backtraces.
+                match lines
+                    .filter(|l| !l.is_empty() && !l.starts_with("note:"))
+                    .next_back()
+                {
                     Some(last) => write!(f, ": {last}"),
                     None => Ok(()),
                 }

@@ -58,6 +58,39 @@ fn a_named_peer_that_is_missing_is_a_failure() {
 }
 
 #[test]
+fn without_a_compiler_only_the_compiler_is_missing() {
+    let cache = tempfile::tempdir().unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_hullbench"))
+        .args(["peers", "build", "geos", "qhull", "--cache"])
+        .arg(cache.path())
+        .env("CXX", "/nowhere/compiler")
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let table = String::from_utf8(output.stdout).unwrap();
+    let needs = table
+        .lines()
+        .filter(|line| line.contains("needs the program g++ (Debian: g++)"));
+    assert_eq!(needs.count(), 2, "{table}");
+    assert!(!table.contains("header"), "{table}");
+}
+
+#[test]
+fn an_interpreter_without_the_modules_is_missing_them() {
+    let cache = tempfile::tempdir().unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_hullbench"))
+        .args(["peers", "build", "scipy", "--cache"])
+        .arg(cache.path())
+        // Tells its version, and imports nothing.
+        .env("HULLBENCH_PYTHON", env!("CARGO_BIN_EXE_hullbench"))
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let table = String::from_utf8(output.stdout).unwrap();
+    assert!(table.contains("numpy and scipy.spatial"), "{table}");
+}
+
+#[test]
 fn sources_that_are_not_there_are_missing() {
     let empty = tempfile::tempdir().unwrap();
     let empty = empty.path().to_str().unwrap();

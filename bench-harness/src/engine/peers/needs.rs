@@ -100,3 +100,25 @@ fn succeeds(command: &mut Command) -> bool {
         .status()
         .is_ok_and(|status| status.success())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_missing_is_named_with_its_package() {
+        let header = Need::Header {
+            header: "no/such/header.h",
+            package: "libnothing-dev",
+        };
+        assert!(!header.is_met());
+        assert!(header.to_string().contains("libnothing-dev"));
+        let program = Need::Command {
+            program: "no-such-program",
+            variable: "NO_SUCH_VARIABLE",
+            package: "nothing",
+        };
+        assert!(!program.is_met());
+        assert!(program.to_string().contains("no-such-program"));
+    }
+}
