@@ -66,12 +66,9 @@ impl fmt::Display for Fault {
             }
             Fault::Crashed { status, stderr } => {
                 write!(f, "ended with {status}")?;
-                let lines = stderr.lines().map(str::trim);
                 // Rust ends with advice about backtraces.
-                match lines
-                    .filter(|l| !l.is_empty() && !l.starts_with("note:"))
-                    .next_back()
-                {
+                let says_something = |line: &&str| !line.is_empty() && !line.starts_with("note:");
+                match stderr.lines().map(str::trim).rfind(says_something) {
                     Some(last) => write!(f, ": {last}"),
                     None => Ok(()),
                 }
