@@ -32,8 +32,6 @@ fn main() -> io::Result<()> {
             for _ in input.lines() {}
             return Ok(());
         }
-        // Does not even read.
-        "deaf" => sleep_for_ever(),
         // Says something else.
         "chatter" => {
             writeln!(output, "Hello! Ready when you are.")?;
@@ -50,6 +48,12 @@ fn main() -> io::Result<()> {
     let method = hullkit::method("gs").expect("a registered method");
     let honest = Own::new(method).expect("a method of the plane");
     let mut fake = Fake { mode, honest };
+    if fake.mode == "deaf" {
+        // Says who it is without being asked, and never reads.
+        writeln!(output, "{}", line(&fake.receipt()))?;
+        output.flush()?;
+        sleep_for_ever();
+    }
     serve(&mut fake, &mut input, &mut io::BufWriter::new(output))
 }
 

@@ -38,8 +38,11 @@ public:
   peer::Hull hull(const peer::Points& points) override {
     std::vector<double> wanted;
     for (const Point& p : result_.outer()) wanted.insert(wanted.end(), {p.x(), p.y()});
+    std::vector<std::uint32_t> cycle = peer::Finder(points).indices(wanted);
+    // A ring of one or two points says the first again, to have three.
+    while (cycle.size() > 1 && cycle.back() == cycle.front()) cycle.pop_back();
     peer::Hull hull{"cycle", {}, {}};
-    hull.part(peer::Finder(points).indices(wanted));
+    hull.part(cycle);
     return hull;
   }
 

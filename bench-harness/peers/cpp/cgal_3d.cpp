@@ -35,25 +35,39 @@ public:
 
   void forget() override { result_ = Mesh(); }
 
-  // Flat sets have one polygon; everything else has triangles.
+  // The result for points in a plane is an open surface, whose border is their hull.
   peer::Hull hull(const peer::Points& points) override {
+    for (const auto halfedge : result_.halfedges()) {
+      if (result_.is_border(halfedge)) return border(points, halfedge);
+    }
+    if (result_.number_of_faces() == 0) throw std::runtime_error("the result has no facets");
     std::vector<double> wanted;
     std::vector<std::uint32_t> lengths;
     for (const auto face : result_.faces()) {
-      std::uint32_t length = 0;
-      for (const auto vertex : result_.vertices_around_face(result_.halfedge(face))) {
-        const Point& p = result_.point(vertex);
-        wanted.insert(wanted.end(), {p.x(), p.y(), p.z()});
-        ++length;
-      }
-      lengths.push_back(length);
+      for (const auto vertex : result_.vertices_around_face(result_.halfedge(face))) append(wanted, vertex);
+      lengths.push_back(result_.degree(face));
     }
-    if (lengths.empty()) throw std::runtime_error("the result has no facets");
-    const bool is_solid = lengths.size() > 3 && lengths == std::vector<std::uint32_t>(lengths.size(), 3);
-    return {is_solid ? "triangles" : "facets", lengths, peer::Finder(points).indices(wanted)};
+    return {"triangles", lengths, peer::Finder(points).indices(wanted)};
   }
 
 private:
+  peer::Hull border(const peer::Points& points, Mesh::Halfedge_index start) const {
+    std::vector<double> wanted;
+    auto at = start;
+    do {
+      append(wanted, result_.target(at));
+      at = result_.next(at);
+    } while (at != start);
+    peer::Hull hull{"facets", {}, {}};
+    hull.part(peer::Finder(points).indices(wanted));
+    return hull;
+  }
+
+  void append(std::vector<double>& wanted, Mesh::Vertex_index vertex) const {
+    const Point& p = result_.point(vertex);
+    wanted.insert(wanted.end(), {p.x(), p.y(), p.z()});
+  }
+
   std::vector<Point> input_;
   Mesh result_;
 };

@@ -145,10 +145,6 @@ inline unsigned long number(const std::string& json, const std::string& name) {
   return std::strtoul(field(json, name).c_str(), nullptr, 10);
 }
 
-inline void refuse(const std::string& reason) {
-  std::cout << "{\"refused\":" << quoted(reason) << "}\n";
-}
-
 // The smallest step of the clock that was seen.
 inline long clock_resolution() {
   auto smallest = Clock::duration::max();
@@ -226,71 +222,98 @@ inline void write(const std::vector<std::uint32_t>& numbers) {
 
 }  // namespace detail
 
-// Answers commands until `quit` or the end of the input.
-inline int serve(const std::string& name, Engine& engine) {
-  using namespace detail;
-  std::ios::sync_with_stdio(false);
-  Points points;
-  Peak peak;
-  bool is_loaded = false, has_run = false;
-  for (std::string line; std::getline(std::cin, line);) {
-    const std::string word = line.substr(0, line.find(' '));
-    try {
-      if (word == "version") {
-        std::cout << receipt(name, engine) << '\n';
-      } else if (word == "load") {
-        engine.forget();
-        is_loaded = has_run = false;
-        points.task = field(line, "task");
-        points.n = number(line, "n");
-        points.dimension = number(line, "dimension");
-        points.coordinates.assign(points.n * points.dimension, 0.0);
-        std::cin.read(reinterpret_cast<char*>(points.coordinates.data()),
-                      points.coordinates.size() * sizeof(double));
-        if (!std::cin) return 1;
-        const auto tasks = engine.tasks();
-        if (std::find(tasks.begin(), tasks.end(), points.task) == tasks.end()) {
-          throw std::runtime_error("does not do " + points.task);
-        }
-        if (field(line, "boundary") == "all") throw std::runtime_error("finds extreme points only");
-        engine.load(points);
-        is_loaded = true;
-        std::cout << "{\"loaded\":" << points.n << "}\n";
-      } else if (word == "run") {
-        if (!is_loaded) throw std::runtime_error("no points were loaded");
-        const unsigned long samples = number(line, "samples"), inner = number(line, "inner");
-        if (samples == 0 || inner == 0) throw std::runtime_error("nothing to run");
-        has_run = false;
-        peak.begin();
-        const auto nanoseconds = sample(engine, samples, inner);
-        peak.end();
-        has_run = true;
-        std::cout << "{\"nanoseconds\":[";
-        for (std::size_t i = 0; i < nanoseconds.size(); ++i) std::cout << (i ? "," : "") << nanoseconds[i];
-        std::cout << "]}\n";
-      } else if (word == "hull") {
-        if (!has_run) throw std::runtime_error("nothing was run");
-        Hull hull = engine.hull(points);
-        hull.indices = Finder(points).smallest(hull.indices);
-        std::cout << "{\"kind\":" << quoted(hull.kind) << ",\"lengths\":" << hull.lengths.size()
-                  << ",\"indices\":" << hull.indices.size() << "}\n";
-        write(hull.lengths);
-        write(hull.indices);
-      } else if (word == "counters") {
-        std::cout << "{\"counters\":{";
-        if (peak.is_known()) std::cout << "\"peak_bytes\":" << peak.bytes();
-        std::cout << "}}\n";
-      } else if (word == "quit") {
-        return 0;
-      } else {
-        refuse("there is no command " + word);
+// Answers commands.
+class Server {
+public:
+  Server(const std::string& name, Engine& engine) : name_(name), engine_(engine) {}
+
+  // Goes on until `quit` or the end of the input.
+  int serve() {
+    for (std::string line; std::getline(std::cin, line);) {
+      const std::string word = line.substr(0, line.find(' '));
+      if (word == "quit") break;
+      try {
+        answer(word, line);
+      } catch (const std::exception& error) {
+        std::cout << "{\"refused\":" << detail::quoted(error.what()) << "}\n";
       }
-    } catch (const std::exception& error) {
-      refuse(error.what());
+      std::cout.flush();
     }
-    std::cout.flush();
+    return 0;
   }
-  return 0;
+
+private:
+  void answer(const std::string& word, const std::string& line) {
+    if (word == "version") {
+      std::cout << detail::receipt(name_, engine_) << '\n';
+    } else if (word == "load") {
+      load(line);
+    } else if (word == "run") {
+      run(detail::number(line, "samples"), detail::number(line, "inner"));
+    } else if (word == "hull") {
+      hull();
+    } else if (word == "counters") {
+      std::cout << "{\"counters\":{";
+      if (peak_.is_known()) std::cout << "\"peak_bytes\":" << peak_.bytes();
+      std::cout << "}}\n";
+    } else {
+      throw std::runtime_error("there is no command " + word);
+    }
+  }
+
+  void load(const std::string& line) {
+    engine_.forget();
+    is_loaded_ = has_run_ = false;
+    points_.task = detail::field(line, "task");
+    points_.n = detail::number(line, "n");
+    points_.dimension = detail::number(line, "dimension");
+    points_.coordinates.assign(points_.n * points_.dimension, 0.0);
+    const std::size_t bytes = points_.coordinates.size() * sizeof(double);
+    std::cin.read(reinterpret_cast<char*>(points_.coordinates.data()), bytes);
+    const auto tasks = engine_.tasks();
+    if (std::find(tasks.begin(), tasks.end(), points_.task) == tasks.end()) {
+      throw std::runtime_error("does not do " + points_.task);
+    }
+    if (detail::field(line, "boundary") == "all") throw std::runtime_error("finds extreme points only");
+    engine_.load(points_);
+    is_loaded_ = true;
+    std::cout << "{\"loaded\":" << points_.n << "}\n";
+  }
+
+  void run(unsigned long samples, unsigned long inner) {
+    if (!is_loaded_) throw std::runtime_error("no points were loaded");
+    if (samples == 0 || inner == 0) throw std::runtime_error("nothing to run");
+    has_run_ = false;
+    peak_.begin();
+    const auto nanoseconds = detail::sample(engine_, samples, inner);
+    peak_.end();
+    has_run_ = true;
+    std::cout << "{\"nanoseconds\":[";
+    for (std::size_t i = 0; i < nanoseconds.size(); ++i) std::cout << (i ? "," : "") << nanoseconds[i];
+    std::cout << "]}\n";
+  }
+
+  void hull() {
+    if (!has_run_) throw std::runtime_error("nothing was run");
+    Hull hull = engine_.hull(points_);
+    hull.indices = Finder(points_).smallest(hull.indices);
+    std::cout << "{\"kind\":" << detail::quoted(hull.kind) << ",\"lengths\":" << hull.lengths.size()
+              << ",\"indices\":" << hull.indices.size() << "}\n";
+    detail::write(hull.lengths);
+    detail::write(hull.indices);
+  }
+
+  std::string name_;
+  Engine& engine_;
+  Points points_;
+  detail::Peak peak_;
+  bool is_loaded_ = false, has_run_ = false;
+};
+
+// Answers commands as the engine `name`; what main returns.
+inline int serve(const std::string& name, Engine& engine) {
+  std::ios::sync_with_stdio(false);
+  return Server(name, engine).serve();
 }
 
 }  // namespace peer

@@ -39,6 +39,7 @@ public:
   std::vector<std::string> tasks() const override { return {"hull2", "hull3", "delaunay"}; }
 
   void load(const peer::Points& points) override {
+    if (points.n == 0) throw std::runtime_error("needs points");
     dimension_ = points.dimension;
     input_ = points.coordinates;
     options_ = points.task == "delaunay" ? "d Qt Qbb Pp" : "Qt Pp";
@@ -47,7 +48,7 @@ public:
   void call() override {
     result_.reset();
     result_ = std::make_unique<Computation>(dimension_, input_, options_);
-    if (result_->code() != 0) throw std::runtime_error("Qhull error " + std::to_string(result_->code()));
+    if (result_->code() != 0) throw std::runtime_error(explanation(result_->code()));
   }
 
   void forget() override { result_.reset(); }
@@ -57,6 +58,15 @@ public:
   }
 
 private:
+  static std::string explanation(int code) {
+    static const std::map<int, std::string> WORDS = {{qh_ERRinput, "input that it does not take"},
+                                                     {qh_ERRsingular, "flat input"},
+                                                     {qh_ERRprec, "precision"},
+                                                     {qh_ERRmem, "memory"}};
+    const auto words = WORDS.find(code);
+    return "Qhull error " + std::to_string(code) + ": " + (words == WORDS.end() ? "internal" : words->second);
+  }
+
   // In the plane a facet is an edge; from each vertex go on to the neighbour one does not come from.
   peer::Hull cycle(const peer::Points& points) {
     qhT* qh = result_->get();

@@ -17,56 +17,71 @@ def serve(name, engine):
     `engine` has `version`, `tasks`, and `load(task, points)`, `call()`, which returns a result, and
     `hull(task, points, result)`, which returns a kind and a list of parts.
     """
-    pipe_in, pipe_out = sys.stdin.buffer, sys.stdout.buffer
-    task = points = result = peak = None
-    for line in pipe_in:
+    server = Server(name, engine)
+    for line in sys.stdin.buffer:
         word, _, rest = line.decode().strip().partition(" ")
-        arrays = []
+        if word == "quit":
+            return
         try:
-            if word == "version":
-                reply = receipt(name, engine)
-            elif word == "load":
-                task = points = result = None
-                header = json.loads(rest)
-                count = header["n"] * header["dimension"]
-                raw = np.frombuffer(pipe_in.read(8 * count), dtype="<f8")
-                if header["task"] not in engine.tasks:
-                    raise Refusal(f"does not do {header['task']}")
-                if header.get("boundary") == "all":
-                    raise Refusal("finds extreme points only")
-                task, points = header["task"], raw.reshape(header["n"], header["dimension"])
-                engine.load(task, points)
-                reply = {"loaded": header["n"]}
-            elif word == "run":
-                if points is None:
-                    raise Refusal("no points were loaded")
-                header = json.loads(rest)
-                before = rise() if peak is None else None
-                result, nanoseconds = sample(engine, header["samples"], header["inner"])
-                if peak is None:
-                    peak = status("VmHWM:") - before if before is not None else 0
-                reply = {"nanoseconds": nanoseconds}
-            elif word == "hull":
-                if result is None:
-                    raise Refusal("nothing was run")
-                kind, parts = engine.hull(task, points, result)
-                lengths = np.array([len(part) for part in parts], dtype="<u4")
-                indices = np.concatenate([np.asarray(part) for part in parts] or [np.empty(0)])
-                indices = smallest_copies(points)[indices.astype(np.int64)].astype("<u4")
-                reply = {"kind": kind, "lengths": len(lengths), "indices": len(indices)}
-                arrays = [lengths, indices]
-            elif word == "counters":
-                reply = {"counters": {"peak_bytes": peak} if peak else {}}
-            elif word == "quit":
-                return
-            else:
-                raise Refusal(f"there is no command {word}")
+            reply, arrays = server.answer(word, rest)
         except Exception as error:  # a peer refuses in many ways, and all of them are reasons
             reply = {"refused": " ".join(str(error).split())[:300] or type(error).__name__}
-        pipe_out.write(json.dumps(reply).encode() + b"\n")
+            arrays = []
+        sys.stdout.buffer.write(json.dumps(reply).encode() + b"\n")
         for array in arrays:
-            pipe_out.write(array.tobytes())
-        pipe_out.flush()
+            sys.stdout.buffer.write(array.tobytes())
+        sys.stdout.buffer.flush()
+
+
+class Server:
+    def __init__(self, name, engine):
+        self.name, self.engine = name, engine
+        self.task = self.points = self.result = self.peak = None
+
+    def answer(self, word, rest):
+        """The reply, and the arrays that follow it."""
+        if word == "version":
+            return receipt(self.name, self.engine), []
+        if word == "load":
+            return self.load(json.loads(rest)), []
+        if word == "run":
+            return self.run(json.loads(rest)), []
+        if word == "hull":
+            return self.hull()
+        if word == "counters":
+            return {"counters": {"peak_bytes": self.peak} if self.peak else {}}, []
+        raise Refusal(f"there is no command {word}")
+
+    def load(self, header):
+        self.task = self.points = self.result = None
+        shape = (header["n"], header["dimension"])
+        raw = sys.stdin.buffer.read(8 * shape[0] * shape[1])
+        if header["task"] not in self.engine.tasks:
+            raise Refusal(f"does not do {header['task']}")
+        if header.get("boundary") == "all":
+            raise Refusal("finds extreme points only")
+        points = np.frombuffer(raw, dtype="<f8").reshape(shape)
+        self.engine.load(header["task"], points)
+        self.task, self.points = header["task"], points
+        return {"loaded": header["n"]}
+
+    def run(self, header):
+        if self.points is None:
+            raise Refusal("no points were loaded")
+        before = reset_peak() if self.peak is None else None
+        self.result, nanoseconds = sample(self.engine, header["samples"], header["inner"])
+        if before is not None:
+            self.peak = status("VmHWM:") - before
+        return {"nanoseconds": nanoseconds}
+
+    def hull(self):
+        if self.result is None:
+            raise Refusal("nothing was run")
+        kind, parts = self.engine.hull(self.task, self.points, self.result)
+        lengths = np.array([len(part) for part in parts], dtype="<u4")
+        indices = np.concatenate(parts).astype(np.int64) if len(parts) else np.empty(0, np.int64)
+        indices = smallest_copies(self.points)[indices].astype("<u4")
+        return {"kind": kind, "lengths": len(lengths), "indices": len(indices)}, [lengths, indices]
 
 
 def receipt(name, engine):
@@ -113,7 +128,7 @@ def clock_resolution():
     return min(step() for _ in range(1000))
 
 
-def rise():
+def reset_peak():
     """Sets the peak of resident memory back, and returns what is resident; None where that cannot be done."""
     try:
         with open("/proc/self/clear_refs", "w") as file:

@@ -32,7 +32,7 @@ class Scipy:
             turn = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
         clockwise = turn < 0
         triangles[clockwise] = triangles[clockwise][:, [0, 2, 1]]
-        return "triangles", list(triangles)
+        return "triangles", triangles
 
 
 if __name__ == "__main__":

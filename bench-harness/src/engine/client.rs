@@ -66,6 +66,8 @@ impl Session {
     pub fn start(launch: &Launch, limit: Duration) -> Result<Self, Fault> {
         let mut child = std::process::Command::new(&launch.program)
             .args(&launch.arguments)
+            // Of a panic its message is wanted.
+            .env("RUST_BACKTRACE", "0")
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())

@@ -66,7 +66,9 @@ impl fmt::Display for Fault {
             }
             Fault::Crashed { status, stderr } => {
                 write!(f, "ended with {status}")?;
-                match stderr.trim().lines().next_back() {
+                // Rust ends with advice about backtraces.
+                let says_something = |line: &&str| !line.is_empty() && !line.starts_with("note:");
+                match stderr.lines().map(str::trim).rfind(says_something) {
                     Some(last) => write!(f, ": {last}"),
                     None => Ok(()),
                 }

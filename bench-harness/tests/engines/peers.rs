@@ -35,6 +35,18 @@ fn peers_that_are_not_built_are_listed_with_what_is_missing() {
 }
 
 #[test]
+fn the_list_as_json_holds_everything() {
+    let cache = tempfile::tempdir().unwrap();
+    let cache = cache.path().to_str().unwrap();
+    let output = hullbench(&["peers", "list", "--format", "json", "--cache", cache]);
+    let list: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(list.as_array().unwrap().len(), peers::all().count());
+    assert_eq!(list[0]["name"], "qhull");
+    assert_eq!(list[0]["problems"][1], "hull3");
+    assert!(list[0]["missing"].is_string() && list[0]["receipt"].is_null());
+}
+
+#[test]
 fn a_named_peer_that_is_missing_is_a_failure() {
     let cache = tempfile::tempdir().unwrap();
     let cache = cache.path().to_str().unwrap();
@@ -43,6 +55,39 @@ fn a_named_peer_that_is_missing_is_a_failure() {
     let output = hullbench(&["peers", "build", "qhul", "--cache", cache]);
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("did you mean 'qhull'?"));
+}
+
+#[test]
+fn without_a_compiler_only_the_compiler_is_missing() {
+    let cache = tempfile::tempdir().unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_hullbench"))
+        .args(["peers", "build", "geos", "qhull", "--cache"])
+        .arg(cache.path())
+        .env("CXX", "/nowhere/compiler")
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let table = String::from_utf8(output.stdout).unwrap();
+    let needs = table
+        .lines()
+        .filter(|line| line.contains("needs the program g++ (Debian: g++)"));
+    assert_eq!(needs.count(), 2, "{table}");
+    assert!(!table.contains("header"), "{table}");
+}
+
+#[test]
+fn an_interpreter_without_the_modules_is_missing_them() {
+    let cache = tempfile::tempdir().unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_hullbench"))
+        .args(["peers", "build", "scipy", "--cache"])
+        .arg(cache.path())
+        // Tells its version, and imports nothing.
+        .env("HULLBENCH_PYTHON", env!("CARGO_BIN_EXE_hullbench"))
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let table = String::from_utf8(output.stdout).unwrap();
+    assert!(table.contains("numpy and scipy.spatial"), "{table}");
 }
 
 #[test]

@@ -5,7 +5,7 @@
 //! have changed since counts as not built.
 
 use super::needs::{chosen, compiler, python};
-use super::{Program, Recipe};
+use super::{Need, Program, Recipe};
 use crate::engine::catalogue::Places;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -71,7 +71,7 @@ pub fn build(program: &Program, places: &Places) -> Outcome {
             "its source (run in the workspace, or name the folder with --sources)".into(),
         ]);
     };
-    let missing: Vec<String> = missing(program);
+    let missing = missing(program);
     if !missing.is_empty() {
         return Outcome::Missing(missing);
     }
@@ -81,20 +81,26 @@ pub fn build(program: &Program, places: &Places) -> Outcome {
     }
 }
 
-/// What must be installed before `program` can be built.
+/// What must be installed before `program` can be built, as far as that can be told: without a compiler nobody knows
+/// which headers it would find.
 pub fn missing(program: &Program) -> Vec<String> {
-    let unmet = program.needs.iter().filter(|need| !need.is_met());
-    let mut missing: Vec<String> = unmet.map(ToString::to_string).collect();
-    if let Recipe::Python { modules } = program.recipe
-        && missing.is_empty()
-        && python(modules).is_none()
-    {
-        missing.push(format!(
+    let unmet = |are_programs: &dyn Fn(&Need) -> bool| -> Vec<String> {
+        let needs = program.needs.iter().filter(|need| are_programs(need));
+        let unmet = needs.filter(|need| !need.is_met());
+        unmet.map(ToString::to_string).collect()
+    };
+    let is_program = |need: &Need| matches!(need, Need::Command { .. });
+    let programs = unmet(&is_program);
+    if !programs.is_empty() {
+        return programs;
+    }
+    match program.recipe {
+        Recipe::Python { modules } if python(modules).is_none() => vec![format!(
             "the Python modules {} (Debian: python3-scipy; or name an interpreter that has them in HULLBENCH_PYTHON)",
             modules.join(" and ")
-        ));
+        )],
+        _ => unmet(&|need| !is_program(need)),
     }
-    missing
 }
 
 const RECORD: &str = "built.json";

@@ -85,8 +85,9 @@ fn finds_header(header: &str) -> bool {
         return false;
     };
     if let Some(mut stdin) = child.stdin.take() {
-        // A compiler that has not read it all has failed, and says so by its status.
-        let _ = writeln!(stdin, "#include <{header}>");
+        // Asked whether it is there, a compiler does not read it, nor the thousand headers behind it. One that has not
+        // read the question has failed, and says so by its status.
+        let _ = writeln!(stdin, "#if !__has_include(<{header}>)\n#error\n#endif");
     }
     child.wait().is_ok_and(|status| status.success())
 }
@@ -98,4 +99,26 @@ fn succeeds(command: &mut Command) -> bool {
         .stderr(Stdio::null())
         .status()
         .is_ok_and(|status| status.success())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_missing_is_named_with_its_package() {
+        let header = Need::Header {
+            header: "no/such/header.h",
+            package: "libnothing-dev",
+        };
+        assert!(!header.is_met());
+        assert!(header.to_string().contains("libnothing-dev"));
+        let program = Need::Command {
+            program: "no-such-program",
+            variable: "NO_SUCH_VARIABLE",
+            package: "nothing",
+        };
+        assert!(!program.is_met());
+        assert!(program.to_string().contains("no-such-program"));
+    }
 }
