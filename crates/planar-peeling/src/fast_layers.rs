@@ -6,14 +6,22 @@
 //! *Applications of a semi-dynamic convex hull algorithm*, BIT 32 (1992), 249-267, for why walking is enough when points
 //! only leave.
 //!
-//! 1. Sort the points by x, then y. Build a balanced tree over them twice: one for lower hulls, one for upper hulls.
-//! 2. A node's hull is that of its left child up to the *bridge*, the bridge, and that of its right child from
-//!    there on. The node keeps the bridge and, as a list, those points of its hull that are not on its parent's.
+//! 1. Sort the points by x, then y.
+//! 2. Build a balanced tree over them twice: one for lower hulls, one for upper hulls. A node's hull is that of its
+//!    left child up to the *bridge*, the bridge, and that of its right child from there on. The node keeps the
+//!    bridge and, as a list, those points of its hull that are not on its parent's.
 //! 3. The lists of the two roots are the next layer.
 //! 4. Take the layer out: the points of the other half one by one, each from the node that has it in its list
 //!    downwards; then the whole list of the root at once. Where a node loses an end of its bridge, find the new
 //!    one and hand up the points that come to light.
 //! 5. Go on until the roots are empty.
+//!
+//! The trees hold only the *active* points, some thousands, which fit the cache; the others wait in *shells*:
+//!
+//! 6. Shrink the last layer so that half of the points that wait lie outside, and split them by this *outline*.
+//!    Halve the outer part again until it is small enough to be active.
+//! 7. Whenever the hull of the active points no longer has the next outline inside, the next shell joins them, split
+//!    by the shape of the layers now; the trees are built anew.
 //!
 //! ```text
 //!         l ------------ r            the hull of a node: ... l r ...
@@ -31,10 +39,9 @@
 //!
 //! # Bound
 //!
-//! O(n log n) orientations whatever the input: see invariant 6. In a disc about 2.3 n log₂ n. A layer costs no
-//! more than its own points and what they uncover, so no input is worse than another by more than a constant; the
-//! dearest known, triangles in one another, takes twice the questions of a disc. One sort of n integers of 16 bytes;
-//! then 36 bytes a point and 2 bytes for the nodes.
+//! O(n log n) orientations whatever the input, by invariants 6 and 9. A layer costs no more than its own points and what
+//! they uncover, so no family of inputs is worse than another by more than a constant. One sort of n integers of 16 bytes, then
+//! 24 bytes a point, and up to 50 more for each that is active.
 //!
 //! # Invariants
 //!
@@ -55,30 +62,46 @@
 //!    just joined the hull of the child. Points never leave a hull otherwise than for good, so each point is
 //!    walked over at most twice a level and tree.
 //!
+//! 7. The points of a shell lie strictly inside its outline, and each outline holds those further in. While the hull of
+//!    the active points has the next outline inside, no point that waits is on its boundary, and it is the
+//!    hull of all.
+//! 8. Then, too, a point with the outline below it is not on the lower half of the hull, and one above it not on the
+//!    upper: all active points that are neither left nor right of the outline need be in one tree only.
+//! 9. At least as many points join as were left, so building the trees anew costs O(1) a point in
+//!    all, times the points that join. Each split leaves an eighth on either side, so a point is split off O(log n) times.
+//!
 //! Which points of an edge are on a hull ([`Boundary`]) is the same for all nodes, so that 3 holds under both
 //! conventions: under [`Boundary::All`] the ends of a bridge are the innermost points on its line, else the outermost.
 //!
 //! # Departures
 //!
 //! The hulls are lists in the nodes of a static tree instead of queues that are cut and joined; leaves hold
-//! a block of points, whose hull is a monotone chain through them. Points are put in order by their coordinates, not by the kernel.
+//! a block of points, whose hull is a monotone chain through them. The shells are ours. Points are put in order by
+//! their coordinates, not by the kernel; outlines are rounded polygons, of which it is asked what they hold.
 //!
 //! # When not to use it
 //!
-//! For the first few layers only of many points: the trees cost as much as some twenty hulls.
+//! For a few layers of many points, or for a few hundred points: the sort and the trees then cost more than a hull a
+//! layer.
 
+mod active;
 mod build;
 mod chain;
 mod hull_tree;
 mod leaf;
+mod outline;
+mod shells;
 mod side;
 mod sorted;
 
-use chain::Place;
-use geometry_core::{Boundary, Hull2, HullError, Kernel2, Layers, Observer, Points, Step};
-use hull_tree::HullTree;
-use side::{Context, Lower, Upper};
+use active::Active;
+use geometry_core::{Boundary, HullError, Kernel2, Layers, Observer, Points, Step};
+use shells::Shells;
+use side::Context;
 use sorted::Sorted;
+
+/// One point in so many shows the shape of the first layers.
+const SAMPLE: usize = 16;
 
 /// The convex layers of `points` in O(n log n).
 ///
@@ -91,7 +114,8 @@ use sorted::Sorted;
 ///
 /// # Cost
 ///
-/// O(n log n) orientations, whatever the points; 38n bytes besides the result, 16n more while they are sorted.
+/// O(n log n) orientations, whatever the points; 24n bytes besides the result if few points are active at a time,
+/// 76n at worst.
 ///
 /// ```
 /// use geometry_core::{Boundary, Exact, Points, Silent};
@@ -107,52 +131,34 @@ pub fn fast_layers<K: Kernel2, O: Observer>(
     kernel: &K,
     observer: &mut O,
 ) -> Result<Layers, HullError> {
-    let sorted = Sorted::new(points);
-    let mut context = Context {
-        sorted: &sorted,
-        boundary,
-        kernel,
-        observer,
-    };
-    let mut lower = HullTree::<Lower>::new(&mut context);
-    let mut upper = HullTree::<Upper>::new(&mut context);
+    let Sorted { entries, copies } = Sorted::new(points);
+    let mut active = Active::new(Context::new(boundary, kernel, observer));
+    let mut shape = active.shape_of(entries.iter().step_by(SAMPLE));
+    let mut shells = Shells::new(entries);
     let mut stages = vec![0; points.len()];
     let mut rings = Vec::new();
-    let (mut below, mut above) = (Vec::new(), Vec::new());
     loop {
-        lower.read_hull(&mut below);
-        upper.read_hull(&mut above);
-        if below.is_empty() {
+        if !shells.are_within(active.halves(), kernel) {
+            let left = active.left();
+            let portion = shells.next(&shape, left.len(), kernel);
+            active.restart(&left, &portion, shells.outline());
+            continue;
+        }
+        if active.is_empty() {
             break;
         }
-        let ring = ring(&below, &above, &sorted.ids);
+        let ring = active.ring();
         let stage = rings.len() as u32 + 1;
         for &id in ring.vertices() {
             stages[id as usize] = stage;
         }
         rings.push(ring);
-        upper.take_hull_and(&below, &mut context);
-        lower.take_hull_and(&above, &mut context);
-        context.observer.step(|| Step::Layer(stage));
+        shape = active.outline();
+        active.peel();
+        active.observer().step(|| Step::Layer(stage));
     }
-    for &(copy, place) in &sorted.copies {
-        stages[copy as usize] = stages[sorted.ids[place as usize] as usize];
+    for [copy, id] in copies {
+        stages[copy as usize] = stages[id as usize];
     }
     Ok(Layers::new(rings, stages))
-}
-
-/// The ring whose lower and upper halves, from left to right, are `below` and `above`.
-fn ring(below: &[Place], above: &[Place], ids: &[u32]) -> Hull2 {
-    let id = |&place: &Place| ids[place as usize];
-    if let [only] = below {
-        return Hull2::Point(id(only));
-    }
-    if below == above {
-        return Hull2::Segment(below.iter().map(id).collect());
-    }
-    let inner = above.get(1..above.len() - 1).unwrap_or_default();
-    let mut cycle = Vec::with_capacity(below.len() + inner.len());
-    cycle.extend(below.iter().map(id));
-    cycle.extend(inner.iter().rev().map(id));
-    Hull2::Polygon(cycle)
 }

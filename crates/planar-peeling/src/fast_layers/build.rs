@@ -1,20 +1,25 @@
 //! The tree of all points.
 
-use super::chain::{Chain, EMPTY, LEFT, NONE, RIGHT};
+use super::chain::{Chain, EMPTY, LEFT, NONE, Place, RIGHT};
 use super::hull_tree::{HullTree, NO_LEFT, NO_RIGHT};
 use super::leaf::{BLOCK, Hidden, light_up};
 use super::side::{Context, Side};
 use geometry_core::{Kernel2, Observer};
 
 impl<S: Side> HullTree<S> {
-    /// The tree of all points of `context`. O(n): a point that a search for a bridge passes is on no hull above.
-    pub(super) fn new<K: Kernel2, O: Observer>(context: &mut Context<'_, K, O>) -> Self {
-        let last = context.sorted.len();
+    /// The tree of the points of `context` at `places`. O(n): a point that a search for a bridge passes is on no
+    /// hull above.
+    pub(super) fn new<K: Kernel2, O: Observer>(
+        places: impl Iterator<Item = Place>,
+        context: &mut Context<'_, K, O>,
+    ) -> Self {
+        let last = context.entries.len() - 1;
         let leaves = (last + 1).div_ceil(BLOCK).next_power_of_two();
         let mut tree = Self::empty(leaves, last);
-        for place in 1..=last {
-            tree.hidden[place / BLOCK] |= 1 << (place % BLOCK) as Hidden;
+        for place in places {
+            tree.hidden[place as usize / BLOCK] |= 1 << (place as usize % BLOCK) as Hidden;
         }
+        tree.members.copy_from_slice(&tree.hidden);
         for leaf in 0..leaves {
             let hidden = &mut tree.hidden[leaf];
             let hull = light_up::<S, K, O>(leaf, hidden, EMPTY, &mut tree.links, context);
@@ -54,24 +59,27 @@ impl<S: Side> HullTree<S> {
     /// The common tangent, sought from the innermost points outwards.
     fn common_tangent<K: Kernel2, O: Observer>(
         &self,
-        [mut l, mut r]: [u32; 2],
+        [mut l, mut r]: [Place; 2],
         context: &mut Context<'_, K, O>,
-    ) -> [u32; 2] {
+    ) -> [Place; 2] {
+        let (mut left, mut right) = (context.point(l), context.point(r));
         loop {
             let before = [l, r];
             loop {
                 let outer = self.links.next(l, LEFT);
-                if outer == NONE || context.keeps::<S>(outer, l, r) {
+                let point = context.point(outer);
+                if outer == NONE || context.keeps::<S>(point, left, right) {
                     break;
                 }
-                l = outer;
+                (l, left) = (outer, point);
             }
             loop {
                 let outer = self.links.next(r, RIGHT);
-                if outer == NONE || context.keeps::<S>(l, r, outer) {
+                let point = context.point(outer);
+                if outer == NONE || context.keeps::<S>(left, right, point) {
                     break;
                 }
-                r = outer;
+                (r, right) = (outer, point);
             }
             if [l, r] == before {
                 context.bridged(l, r);

@@ -3,7 +3,7 @@
 use super::chain::{Chain, EMPTY, LEFT, Links, NONE, Place, RIGHT};
 use super::leaf::{BLOCK, Hidden, light_up};
 use super::side::{Context, Side};
-use geometry_core::{Kernel2, Observer};
+use geometry_core::{Kernel2, Observer, Point2};
 use std::marker::PhantomData;
 
 /// Names a node. The root is 1; the children of v are 2v, which holds the left half of its points, and 2v + 1.
@@ -26,7 +26,10 @@ pub(super) const NO_RIGHT: [Place; 2] = [Place::MAX; 2];
 pub(super) struct HullTree<S> {
     pub(super) nodes: Vec<Node>,
     pub(super) links: Links,
+    /// By leaf, the points not on its hull.
     pub(super) hidden: Vec<Hidden>,
+    /// By leaf, the points that the tree began with.
+    pub(super) members: Vec<Hidden>,
     side: PhantomData<S>,
 }
 
@@ -44,6 +47,7 @@ impl<S: Side> HullTree<S> {
             nodes: vec![Node::default(); 2 * leaves],
             links: Links::new(last),
             hidden: vec![0; leaves],
+            members: vec![0; leaves],
             side: PhantomData,
         }
     }
@@ -86,7 +90,7 @@ impl<S: Side> HullTree<S> {
         }
     }
 
-    /// Takes out one point, unless it is on the hull.
+    /// Takes out one point, unless it is on the hull or has never been there.
     fn take_below<K: Kernel2, O: Observer>(
         &mut self,
         place: Place,
@@ -96,6 +100,9 @@ impl<S: Side> HullTree<S> {
         let bit = 1 << (place as usize % BLOCK);
         if self.hidden[leaf] & bit != 0 {
             self.hidden[leaf] ^= bit;
+            return;
+        }
+        if self.members[leaf] & bit == 0 {
             return;
         }
         let owner = self.owner(self.leaves() + leaf, place);
@@ -281,7 +288,7 @@ impl<S: Side> HullTree<S> {
         [old, next]: [Place; 2],
         context: &mut Context<'_, K, O>,
     ) -> [Place; 2] {
-        let mut keeps = |outer: Place, middle: Place, inner: Place| {
+        let keeps = |context: &Context<'_, K, O>, outer: Point2, middle: Point2, inner: Point2| {
             if NEAR == LEFT {
                 context.keeps::<S>(outer, middle, inner)
             } else {
@@ -289,18 +296,21 @@ impl<S: Side> HullTree<S> {
             }
         };
         let (mut near_end, mut far_end, mut further) = (start, old, next);
+        let (mut near, mut far) = (context.point(near_end), context.point(far_end));
         loop {
             while near_end != anchor {
-                let outer = self.links.next(near_end, NEAR);
-                if outer == NONE || keeps(outer, near_end, far_end) {
+                let outer_end = self.links.next(near_end, NEAR);
+                let outer = context.point(outer_end);
+                if outer_end == NONE || keeps(context, outer, near, far) {
                     break;
                 }
-                near_end = outer;
+                (near_end, near) = (outer_end, outer);
             }
-            if further == NONE || !keeps(near_end, further, far_end) {
+            let inner = context.point(further);
+            if further == NONE || !keeps(context, near, inner, far) {
                 break;
             }
-            far_end = further;
+            (far_end, far) = (further, inner);
             further = self.links.next(far_end, NEAR);
         }
         context.bridged(near_end, far_end);

@@ -16,14 +16,16 @@ pub(super) fn light_up<S: Side, K: Kernel2, O: Observer>(
     hidden: &mut Hidden,
     beyond: Chain,
     links: &mut Links,
-    context: &mut Context<'_, K, O>,
+    context: &Context<'_, K, O>,
 ) -> Chain {
     let base = (leaf * BLOCK) as Place;
     let mut candidates = between(*hidden, base, beyond);
-    let mut chain = [NONE; BLOCK + 2];
     let floor = usize::from(beyond[LEFT] != NONE);
     let mut len = floor;
+    let mut chain = [NONE; BLOCK + 2];
+    let mut corners = [[0.0; 2]; BLOCK + 2];
     chain[0] = beyond[LEFT];
+    corners[0] = context.point(beyond[LEFT]);
     loop {
         let place = if candidates == 0 {
             beyond[RIGHT]
@@ -33,7 +35,8 @@ pub(super) fn light_up<S: Side, K: Kernel2, O: Observer>(
         if place == NONE {
             break;
         }
-        while len >= 2 && !context.keeps::<S>(chain[len - 2], chain[len - 1], place) {
+        let point = context.point(place);
+        while len >= 2 && !context.keeps::<S>(corners[len - 2], corners[len - 1], point) {
             len -= 1;
         }
         if candidates == 0 {
@@ -41,6 +44,7 @@ pub(super) fn light_up<S: Side, K: Kernel2, O: Observer>(
         }
         candidates &= candidates - 1;
         chain[len] = place;
+        corners[len] = point;
         len += 1;
     }
     let lit = &chain[floor..len.max(floor)];

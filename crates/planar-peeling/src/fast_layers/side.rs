@@ -1,8 +1,7 @@
 //! What the algorithm asks, for the upper and for the lower hull.
 
 use super::chain::Place;
-use super::sorted::Sorted;
-use crate::monotone_chain::keeps;
+use super::sorted::Entry;
 use geometry_core::{Boundary, Kernel2, Observer, Point2, Sign, Step};
 
 /// Which half of the hull a tree keeps.
@@ -33,27 +32,45 @@ impl Side for Upper {
 
 /// The points, who answers questions about them, and who listens.
 pub(super) struct Context<'a, K, O> {
-    pub(super) sorted: &'a Sorted,
-    pub(super) boundary: Boundary,
+    /// By place; that at place 0 stands for no point.
+    pub(super) entries: Vec<Entry>,
+    /// The least turn that makes a vertex.
+    pub(super) least: Sign,
     pub(super) kernel: &'a K,
     pub(super) observer: &'a mut O,
 }
 
-impl<K: Kernel2, O: Observer> Context<'_, K, O> {
+impl<'a, K: Kernel2, O: Observer> Context<'a, K, O> {
+    /// No points yet.
+    pub(super) fn new(boundary: Boundary, kernel: &'a K, observer: &'a mut O) -> Self {
+        let least = match boundary {
+            Boundary::Extreme => Sign::Positive,
+            Boundary::All => Sign::Zero,
+        };
+        Self {
+            entries: vec![Entry::default()],
+            least,
+            kernel,
+            observer,
+        }
+    }
+
+    /// The coordinates of the point at `place`.
+    #[inline(always)]
+    pub(super) fn point(&self, place: Place) -> Point2 {
+        self.entries[place as usize].point
+    }
+
     /// Whether b is a vertex between a on its left and c on its right.
     #[inline(always)]
-    pub(super) fn keeps<S: Side>(&mut self, a: Place, b: Place, c: Place) -> bool {
-        let ids = &self.sorted.ids;
-        self.observer.step(|| Step::Candidate(ids[b as usize]));
-        let [a, b, c] = [a, b, c].map(|place| self.sorted.points[place as usize]);
-        keeps(self.boundary, S::turn(self.kernel, a, b, c))
+    pub(super) fn keeps<S: Side>(&self, a: Point2, b: Point2, c: Point2) -> bool {
+        S::turn(self.kernel, a, b, c) >= self.least
     }
 
     /// Tells of the bridge from l to r.
     #[inline(always)]
     pub(super) fn bridged(&mut self, l: Place, r: Place) {
-        let ids = &self.sorted.ids;
-        self.observer
-            .step(|| Step::Bridge(ids[l as usize], ids[r as usize]));
+        let id = |place: Place| self.entries[place as usize].id;
+        self.observer.step(|| Step::Bridge(id(l), id(r)));
     }
 }

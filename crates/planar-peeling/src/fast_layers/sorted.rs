@@ -1,16 +1,25 @@
 //! The distinct points in lexicographic order, copied together so that neighbours share cache lines.
 
-use super::chain::Place;
 use geometry_core::{Point2, Points};
 
-/// Distinct points by x, then y, at places 1, 2, …; place 0 stands for no point.
+/// A point, and what else there is to know of it in the inner loops.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Entry {
+    /// Its coordinates.
+    pub(super) point: Point2,
+    /// Its rank in the lexicographic order of the distinct points.
+    pub(super) rank: u32,
+    /// The smallest of its indices in the caller's slice.
+    pub(super) id: u32,
+}
+
+/// The distinct points by x, then y.
+#[derive(Default)]
 pub(super) struct Sorted {
-    /// The coordinates by place.
-    pub(super) points: Vec<Point2>,
-    /// By place, the smallest index of the point in the caller's slice.
-    pub(super) ids: Vec<u32>,
-    /// The other indices of repeated points, each with the place of its point.
-    pub(super) copies: Vec<(u32, Place)>,
+    /// One entry for each distinct point, in order.
+    pub(super) entries: Vec<Entry>,
+    /// Each further index of a repeated point, with the smallest.
+    pub(super) copies: Vec<[u32; 2]>,
 }
 
 impl Sorted {
@@ -23,30 +32,22 @@ impl Sorted {
         keys.sort_unstable();
         sort_equal_abscissae(points, &mut keys);
         let mut sorted = Sorted {
-            points: Vec::with_capacity(keys.len() + 1),
-            ids: Vec::with_capacity(keys.len() + 1),
+            entries: Vec::with_capacity(keys.len()),
             copies: Vec::new(),
         };
-        sorted.points.push([0.0; 2]);
-        sorted.ids.push(0);
         for key in keys {
             sorted.push(key as u32, points[key as u32]);
         }
         sorted
     }
 
-    /// The number of distinct points.
-    pub(super) fn len(&self) -> usize {
-        self.points.len() - 1
-    }
-
     fn push(&mut self, id: u32, point: Point2) {
-        let last = self.len();
-        if last > 0 && self.points[last] == point {
-            self.copies.push((id, last as Place));
-        } else {
-            self.points.push(point);
-            self.ids.push(id);
+        match self.entries.last() {
+            Some(last) if last.point == point => self.copies.push([id, last.id]),
+            _ => {
+                let rank = self.entries.len() as u32;
+                self.entries.push(Entry { point, rank, id });
+            }
         }
     }
 }
