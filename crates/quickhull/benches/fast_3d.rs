@@ -10,10 +10,11 @@
 #![allow(clippy::print_stdout)] // the table is this program's result
 
 use geometry_core::{Exact, Hull3, Point3, Points, Silent};
+use cpu_time::ProcessTime;
 use peak_alloc::PeakAlloc;
 use point_sets::Spec;
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
@@ -140,7 +141,7 @@ fn extremes(points: &[Point3]) -> [Point3; 2] {
 }
 
 fn elapsed<T>(work: impl FnOnce() -> T) -> Duration {
-    let start = Instant::now();
+    let start = ProcessTime::now();
     black_box(work());
     start.elapsed()
 }

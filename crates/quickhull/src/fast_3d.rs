@@ -29,6 +29,7 @@
 //! one centre, so it is blunt for a set a million times longer than wide, and not used for one 2²⁸ times as far from
 //! the origin as wide; the answer is right all the same.
 
+mod core;
 mod directions;
 mod left;
 mod plane;
@@ -152,11 +153,8 @@ fn map_of_sample<K: Kernel3, O: Observer>(
     if mesh.len() > sample.points.len() {
         return Ok(None);
     }
-    Ok(DirectionMap::of(
-        points_left,
-        &mesh,
-        cells_to_a_side(points.len()),
-    ))
+    let side = cells_to_a_side(points.len());
+    Ok(DirectionMap::of(points_left, &mesh, side, &sample.points))
 }
 
 /// The size of the sample of n points.

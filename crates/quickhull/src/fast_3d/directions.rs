@@ -49,6 +49,7 @@
 //! **Range.** Used only if 2⁻⁴⁰⁰ ≤ r, M ≤ 2⁴⁰⁰ and r ≥ 2⁻²⁸ M, so that nothing overflows, and a product that
 //! underflows is off by 2⁻¹⁰⁷⁴, far less than ε times what it is added to.
 
+use super::core::{Core, Shape};
 use geometry_core::mesh::{SideId, TriMesh, TriangleId};
 use geometry_core::{Point3, Points};
 
@@ -89,6 +90,8 @@ pub(super) struct DirectionMap {
     side: usize,
     /// 6 · side² cells, face by face.
     cells: Vec<Cell>,
+    /// A body that holds many points, if one does.
+    pub(super) core: Option<Core>,
 }
 
 /// 1.5 · 2⁵²: adding it rounds to an integer, which is then in the low bits.
@@ -97,17 +100,24 @@ const TO_INTEGER: f64 = 6755399441055744.0;
 impl DirectionMap {
     /// The map of the surface `mesh` of `points`, `side` cells to the side of each of the cube's faces; none if the surface
     /// is too flat for it, or its coordinates too large or too small.
-    pub(super) fn of(points: Points<'_, 3>, mesh: &TriMesh, side: usize) -> Option<Self> {
+    pub(super) fn of(
+        points: Points<'_, 3>,
+        mesh: &TriMesh,
+        side: usize,
+        sample: &[Point3],
+    ) -> Option<Self> {
         let view = View::of(points, mesh)?;
         let mut cells = Vec::with_capacity(6 * side * side);
         for face in 0..6 {
             view.cells_of_face(face, side, &mut cells);
         }
+        let core = view.core(&cells, sample);
         Some(Self {
             centre: view.centre,
             reach: view.reach,
             side,
             cells,
+            core,
         })
     }
 
@@ -116,17 +126,13 @@ impl DirectionMap {
     pub(super) fn is_inside(&self, p: Point3) -> bool {
         let w = minus(p, self.centre);
         let [x, y, z] = w.map(f64::abs);
-        let by_x = (x >= y) & (x >= z);
-        let by_y = y >= z;
-        let pick = |for_x: f64, for_y: f64, for_z: f64| {
-            let not_x = if by_y { for_y } else { for_z };
-            if by_x { for_x } else { not_x }
-        };
-        let major = pick(w[0], w[1], w[2]);
+        // Which axis is the major one decides no branch: the processor could not foresee it.
+        let below_y_or_z = !((x >= y) & (x >= z));
+        let axis = usize::from(below_y_or_z) << usize::from(y < z);
+        let cyclic = [w[0], w[1], w[2], w[0], w[1], 0.0, 0.0, 0.0];
+        let [major, next, last] = [0, 1, 2].map(|i| cyclic[(axis + i) % 8]);
         let inverse = 1.0 / major;
-        let u = pick(w[1], w[2], w[0]) * inverse;
-        let v = pick(w[2], w[0], w[1]) * inverse;
-        let axis = if by_x { 0 } else { 2 - usize::from(by_y) };
+        let (u, v) = (next * inverse, last * inverse);
         let face = 2 * axis + usize::from(major < 0.0);
         let (column, row) = (self.column(u), self.column(v));
         let cell = self.cells[(face * self.side + row) * self.side + column];
@@ -149,6 +155,8 @@ struct View<'a> {
     mesh: &'a TriMesh,
     centre: Point3,
     reach: f64,
+    /// The greatest distance from the centre along each axis.
+    axes: Point3,
     /// M of the proof.
     largest: f64,
     /// The half side r of a cube about the centre within the polytope.
@@ -185,6 +193,7 @@ impl<'a> View<'a> {
             mesh,
             centre: sum.map(|x| x / count),
             reach: 0.0,
+            axes: [0.0; 3],
             largest,
             room: 0.0,
             margin: 0.0,
@@ -192,9 +201,10 @@ impl<'a> View<'a> {
         };
         for triangle in mesh.triangles() {
             for p in view.corners(triangle) {
-                view.reach = p.into_iter().fold(view.reach, |most, x| most.max(x.abs()));
+                view.axes = [0, 1, 2].map(|i| view.axes[i].max(p[i].abs()));
             }
         }
+        view.reach = view.axes.into_iter().fold(0.0, f64::max);
         let mut least = f64::INFINITY;
         let mut residual = 0.0_f64;
         for axis in 0..3 {
@@ -212,6 +222,26 @@ impl<'a> View<'a> {
             in_range(view.room) && in_range(largest) && view.room >= largest * 2.0_f64.powi(-28);
         view.margin = (1024.0 * ROUNDING * largest / view.room).max(LEAST_MARGIN) * 2.0;
         (usable && view.margin <= MOST_MARGIN).then_some(view)
+    }
+
+    /// The body that holds more of the sample, if it is at least a quarter of it.
+    fn core(&self, cells: &[Cell], sample: &[Point3]) -> Option<Core> {
+        let normals = || cells.iter().map(|cell| self.normal_about_centre(cell));
+        let best = [Shape::Ellipsoid, Shape::Box]
+            .map(|shape| Core::below(shape, self.centre, self.axes, normals()))
+            .map(|core| (core.count(sample), core))
+            .into_iter()
+            .max_by_key(|&(count, _)| count)?;
+        (4 * best.0 >= sample.len()).then_some(best.1)
+    }
+
+    /// The n for which the cell's points satisfy n · w ≤ 1; infinite for a cell of which nothing is known.
+    fn normal_about_centre(&self, cell: &Cell) -> Point3 {
+        if cell.normal == [0.0; 3] {
+            return [f64::INFINITY; 3];
+        }
+        let [x, y, z] = [0, 1, 2].map(|i| cell.normal[i] * self.centre[i]);
+        cell.normal.map(|n| n / (cell.limit - x - y - z))
     }
 
     /// The corners relative to the centre.

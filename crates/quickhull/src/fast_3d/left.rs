@@ -1,5 +1,6 @@
 //! The points left when those that are certainly inside are discarded.
 
+use super::core::BLOCK;
 use super::directions::DirectionMap;
 use geometry_core::{Observer, Point3, Points, Step};
 
@@ -19,16 +20,38 @@ impl Left {
         observer: &mut O,
     ) -> Self {
         let mut left = Self::default();
-        for (&p, id) in points.iter().zip(first..) {
-            observer.step(|| Step::Visit(id));
-            if map.is_inside(p) {
-                observer.step(|| Step::Discard(id));
-            } else {
-                left.points.push(p);
-                left.ids.push(id);
+        let mut places = [0; BLOCK];
+        for (number, block) in points.chunks(BLOCK).enumerate() {
+            let start = first + (number * BLOCK) as u32;
+            let kept = match &map.core {
+                Some(core) => core.outside(block, &mut places),
+                None => all(block, &mut places),
+            };
+            for &place in &places[..kept] {
+                let p = block[usize::from(place)];
+                if !map.is_inside(p) {
+                    left.points.push(p);
+                    left.ids.push(start + u32::from(place));
+                }
             }
+            left.tell(start, block.len(), observer);
         }
         left
+    }
+
+    /// One visit for each point of a block, and a discard for those that are not among the last ones left.
+    fn tell<O: Observer>(&self, start: u32, len: usize, observer: &mut O) {
+        if !O::ACTIVE {
+            return;
+        }
+        let before = self.ids.partition_point(|&id| id < start);
+        let mut kept = self.ids[before..].iter().copied().peekable();
+        for id in start..start + len as u32 {
+            observer.step(|| Step::Visit(id));
+            if kept.next_if_eq(&id).is_none() {
+                observer.step(|| Step::Discard(id));
+            }
+        }
     }
 
     /// One point in so many, spread evenly over the points but not at equal distances, as a lattice would not stand that.
@@ -46,4 +69,12 @@ impl Left {
             ids,
         }
     }
+}
+
+/// The places of all points of a block.
+fn all(block: &[Point3], places: &mut [u8; BLOCK]) -> usize {
+    for (slot, place) in places.iter_mut().zip(0..) {
+        *slot = place;
+    }
+    block.len()
 }
