@@ -10,7 +10,7 @@
 
 use crate::dimension::planar_hull;
 use crate::kernel::space::Kernel3;
-use crate::mesh::{SideId, TriMesh, TriangleId};
+use crate::mesh::{TriMesh, TriangleId};
 use crate::points::Points;
 
 /// Polygons one behind the other in one vector.
@@ -45,34 +45,41 @@ impl Loops {
     }
 }
 
-/// The facets, each anticlockwise seen from outside.
-pub(super) fn facets<K: Kernel3>(points: Points<'_, 3>, mesh: &TriMesh, kernel: &K) -> Loops {
+/// The facets, each anticlockwise seen from outside: the triangles that have no coplanar neighbour, and the larger ones.
+///
+/// One orientation an edge tells which are which.
+pub(super) fn facets<K: Kernel3>(
+    points: Points<'_, 3>,
+    mesh: &TriMesh,
+    kernel: &K,
+) -> (Vec<TriangleId>, Loops) {
     let merger = Merger {
         points,
         mesh,
         kernel,
     };
-    let mut used = vec![false; mesh.slots()];
+    let has_coplanar = merger.with_coplanar_neighbours();
+    let mut whole = Vec::with_capacity(mesh.len());
+    let mut larger = Loops::with_capacity(0, 0);
+    let mut used = Vec::new();
     // The number of the facet, plus one, whose walk last met a triangle.
-    let mut met = vec![0_u32; mesh.slots()];
-    let mut facets = Loops::with_capacity(mesh.len(), 3 * mesh.len());
+    let mut met = Vec::new();
     for triangle in mesh.triangles() {
-        if used[triangle.0 as usize] {
+        let slot = triangle.0 as usize;
+        if !has_coplanar[slot] {
+            whole.push(triangle);
             continue;
         }
-        used[triangle.0 as usize] = true;
-        if triangle
-            .sides()
-            .into_iter()
-            .all(|side| !merger.is_coplanar_across(side))
-        {
-            facets.push(&mesh.corners(triangle));
-        } else if !merger.is_flat(triangle) {
-            let walk = facets.len() as u32 + 1;
-            facets.push(&merger.facet_around(triangle, walk, &mut met, &mut used));
+        // Only now, as in general position nothing is to be merged.
+        used.resize(mesh.slots(), false);
+        met.resize(mesh.slots(), 0_u32);
+        if !used[slot] && !merger.is_flat(triangle) {
+            used[slot] = true;
+            let walk = larger.len() as u32 + 1;
+            larger.push(&merger.facet_around(triangle, walk, &mut met, &mut used));
         }
     }
-    facets
+    (whole, larger)
 }
 
 struct Merger<'a, K> {
@@ -82,14 +89,28 @@ struct Merger<'a, K> {
 }
 
 impl<K: Kernel3> Merger<'_, K> {
-    fn is_coplanar_across(&self, side: SideId) -> bool {
-        let apex = self.mesh.apex(self.mesh.twin(side));
-        self.is_on_plane(self.mesh.corners(side.triangle()), apex)
+    /// For each slot of the mesh, whether its triangle has a coplanar neighbour.
+    fn with_coplanar_neighbours(&self) -> Vec<bool> {
+        let mut found = vec![false; self.mesh.slots()];
+        for triangle in self.mesh.triangles() {
+            let corners = self.mesh.corners(triangle);
+            for twin in self.mesh.twins(triangle) {
+                // Each edge once, from the triangle with the greater number.
+                let beyond = twin.triangle();
+                if beyond < triangle && self.is_on_plane(corners, self.mesh.apex(twin)) {
+                    found[triangle.0 as usize] = true;
+                    found[beyond.0 as usize] = true;
+                }
+            }
+        }
+        found
     }
 
+    /// The point comes first in the question, as the one close to the corners of which two are close together and one
+    /// is far away: differences from it are small, and the filter is certain.
     fn is_on_plane(&self, plane: [u32; 3], id: u32) -> bool {
         let [a, b, c] = plane.map(|id| self.points[id]);
-        self.kernel.orient3(a, b, c, self.points[id]).is_zero()
+        self.kernel.orient3(self.points[id], a, b, c).is_zero()
     }
 
     fn is_flat(&self, triangle: TriangleId) -> bool {

@@ -1,0 +1,93 @@
+//! What a point sees, and the cone over its rim.
+//!
+//! The facets seen are found by depth-first search from one of them. A facet is left by its sides in order, entered by
+//! one, and left by the two others in order, so that the sides at which the search turns back come in order round the
+//! rim:
+//!
+//! ```text
+//!            z
+//!          /   \         entered by x -> y, the search goes on over y -> z, then z -> x, in
+//!         /     \        place of the side y -> x of the facet it came from
+//!        x ----- y
+//! ```
+//!
+//! A side between two facets that are both seen but that the search did not cross is met from both, and dropped: the
+//! region is a disc, so what is between the two meetings has been closed.
+
+use super::Surface;
+use geometry_core::mesh::{SideId, TriangleId};
+use geometry_core::{HullError, Kernel3, Observer, Step};
+
+/// Storage for one insertion, kept for the next.
+#[derive(Debug, Default)]
+pub(super) struct Region {
+    /// Sides of facets not yet looked at, which border facets that are seen.
+    ahead: Vec<SideId>,
+    /// The facets seen, taken out of the surface.
+    seen: Vec<TriangleId>,
+    /// The sides beyond the rim, in order round it.
+    rim: Vec<SideId>,
+}
+
+impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
+    /// Replaces what `p` sees, `facet` among it, by the cone from `p`.
+    pub(super) fn insert(&mut self, p: u32, facet: TriangleId) -> Result<(), HullError> {
+        let mut region = std::mem::take(&mut self.region);
+        let sides = self.mesh.twins(facet);
+        region.rim.clear();
+        self.take_out(facet, &mut region.seen);
+        region.ahead.extend(sides.into_iter().rev());
+        while let Some(side) = region.ahead.pop() {
+            let facet = side.triangle();
+            if !self.mesh.is_alive(facet) {
+                continue;
+            }
+            if self.sees(p, facet) {
+                let [second, first] = [side.previous(), side.next()].map(|s| self.mesh.twin(s));
+                region.ahead.extend([second, first]);
+                self.take_out(facet, &mut region.seen);
+            } else {
+                region.rim.push(side);
+            }
+        }
+        self.check(&region.rim)?;
+        self.latest = self.mesh.replace(&mut region.seen, &region.rim, p);
+        let names = &self.names;
+        self.observer.step(|| Step::Insert(names[p as usize]));
+        for &side in &region.rim {
+            let corners = [self.mesh.target(side), self.mesh.origin(side), p];
+            let [a, b, c] = corners.map(|id| names[id as usize]);
+            self.observer.step(|| Step::Facet(a, b, c));
+        }
+        self.region = region;
+        Ok(())
+    }
+
+    fn take_out(&mut self, facet: TriangleId, seen: &mut Vec<TriangleId>) {
+        let [a, b, c] = self.mesh.corners(facet);
+        let names = &self.names;
+        self.observer
+            .step(|| Step::Drop(names[a as usize], names[b as usize], names[c as usize]));
+        self.mesh.take_out(facet);
+        seen.push(facet);
+    }
+
+    /// Whether the rim is one closed walk.
+    fn check(&self, rim: &[SideId]) -> Result<(), HullError> {
+        let Some(&last) = rim.last().filter(|_| rim.len() >= 3) else {
+            return Err(NO_DISC);
+        };
+        let mut begins = self.mesh.origin(last);
+        for &side in rim {
+            if self.mesh.target(side) != begins {
+                return Err(NO_DISC);
+            }
+            begins = self.mesh.origin(side);
+        }
+        Ok(())
+    }
+}
+
+const NO_DISC: HullError = HullError::Contradiction {
+    what: "the facets that a point sees are not one region with one rim",
+};
