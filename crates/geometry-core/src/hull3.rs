@@ -7,7 +7,7 @@ mod measure;
 pub use measure::Location;
 
 use crate::kernel::space::{Kernel3, lexicographic3};
-use crate::mesh::TriMesh;
+use crate::mesh::{TriMesh, TriangleId};
 use crate::points::Points;
 use facets::Loops;
 
@@ -79,18 +79,25 @@ impl Hull3 {
         mesh: &TriMesh,
         kernel: &K,
     ) -> Self {
-        let (whole, mut larger) = facets::facets(points, mesh, kernel);
+        let (is_whole, mut larger) = facets::facets(points, mesh, kernel);
+        let triangles = || {
+            let slots = (0_u32..).zip(&is_whole).filter(|(_, is_whole)| **is_whole);
+            slots.map(|(slot, _)| mesh.corners(TriangleId(slot)))
+        };
+        let mut is_corner = vec![false; points.len()];
+        for corner in triangles().flatten().chain(larger.corners.iter().copied()) {
+            is_corner[corner as usize] = true;
+        }
         let mut is_vertex = vec![false; points.len()];
+        for id in points.ids().filter(|&id| is_corner[id as usize]) {
+            is_vertex[name(id) as usize] = true;
+        }
+        let vertices = points.ids().filter(|&id| is_vertex[id as usize]).collect();
         for corner in &mut larger.corners {
             *corner = name(*corner);
-            is_vertex[*corner as usize] = true;
         }
-        let triangles = || whole.iter().map(|&t| mesh.corners(t).map(&name));
-        for corner in triangles().flatten() {
-            is_vertex[corner as usize] = true;
-        }
+        let triangles = || triangles().map(|corners| corners.map(&name));
         let facets = canonical::in_order(points.len(), triangles, larger);
-        let vertices = points.ids().filter(|&id| is_vertex[id as usize]).collect();
         Hull3::Solid(Solid::of_sorted(facets, vertices))
     }
 

@@ -10,7 +10,7 @@
 
 use crate::dimension::planar_hull;
 use crate::kernel::space::Kernel3;
-use crate::mesh::{TriMesh, TriangleId};
+use crate::mesh::{SideId, TriMesh, TriangleId};
 use crate::points::Points;
 
 /// Polygons one behind the other in one vector.
@@ -45,29 +45,28 @@ impl Loops {
     }
 }
 
-/// The facets, each anticlockwise seen from outside: the triangles that have no coplanar neighbour, and the larger ones.
+/// The facets, each anticlockwise seen from outside: for each slot of the mesh, whether its triangle is a facet by
+/// itself, and the larger facets.
 ///
 /// One orientation an edge tells which are which.
 pub(super) fn facets<K: Kernel3>(
     points: Points<'_, 3>,
     mesh: &TriMesh,
     kernel: &K,
-) -> (Vec<TriangleId>, Loops) {
+) -> (Vec<bool>, Loops) {
     let merger = Merger {
         points,
         mesh,
         kernel,
     };
-    let has_coplanar = merger.with_coplanar_neighbours();
-    let mut whole = Vec::with_capacity(mesh.len());
+    let is_whole = merger.without_coplanar_neighbours();
     let mut larger = Loops::with_capacity(0, 0);
     let mut used = Vec::new();
     // The number of the facet, plus one, whose walk last met a triangle.
     let mut met = Vec::new();
     for triangle in mesh.triangles() {
         let slot = triangle.0 as usize;
-        if !has_coplanar[slot] {
-            whole.push(triangle);
+        if is_whole[slot] {
             continue;
         }
         // Only now, as in general position nothing is to be merged.
@@ -79,7 +78,7 @@ pub(super) fn facets<K: Kernel3>(
             larger.push(&merger.facet_around(triangle, walk, &mut met, &mut used));
         }
     }
-    (whole, larger)
+    (is_whole, larger)
 }
 
 struct Merger<'a, K> {
@@ -89,21 +88,38 @@ struct Merger<'a, K> {
 }
 
 impl<K: Kernel3> Merger<'_, K> {
-    /// For each slot of the mesh, whether its triangle has a coplanar neighbour.
-    fn with_coplanar_neighbours(&self) -> Vec<bool> {
-        let mut found = vec![false; self.mesh.slots()];
+    /// For each slot of the mesh, whether it has a triangle, and none of its neighbours is coplanar with it.
+    fn without_coplanar_neighbours(&self) -> Vec<bool> {
+        let slots = self.mesh.slots() as u32;
+        let mut found: Vec<bool> = (0..slots)
+            .map(|slot| self.mesh.is_alive(TriangleId(slot)))
+            .collect();
+        // Each edge once, from the triangle with the greater number, which is as good as random: chosen without a
+        // branch, in batches.
+        let mut batch = [(TriangleId(0), SideId(0)); 256];
+        let mut filled = 0;
         for triangle in self.mesh.triangles() {
-            let corners = self.mesh.corners(triangle);
             for twin in self.mesh.twins(triangle) {
-                // Each edge once, from the triangle with the greater number.
-                let beyond = twin.triangle();
-                if beyond < triangle && self.is_on_plane(corners, self.mesh.apex(twin)) {
-                    found[triangle.0 as usize] = true;
-                    found[beyond.0 as usize] = true;
-                }
+                batch[filled] = (triangle, twin);
+                filled += usize::from(twin.triangle() < triangle);
+            }
+            if filled + 3 > batch.len() {
+                self.strike_coplanar(&batch[..filled], &mut found);
+                filled = 0;
             }
         }
+        self.strike_coplanar(&batch[..filled], &mut found);
         found
+    }
+
+    /// Clears the marks of the triangles that are coplanar with the one at the other end of a pair.
+    fn strike_coplanar(&self, pairs: &[(TriangleId, SideId)], is_whole: &mut [bool]) {
+        for &(triangle, twin) in pairs {
+            if self.is_on_plane(self.mesh.corners(triangle), self.mesh.apex(twin)) {
+                is_whole[triangle.0 as usize] = false;
+                is_whole[twin.triangle().0 as usize] = false;
+            }
+        }
     }
 
     /// The point comes first in the question, as the one close to the corners of which two are close together and one

@@ -17,8 +17,8 @@ const CELLS: usize = 1 << (3 * STRIDE);
 /// Eight corners to enter at, times three axes to leave along.
 const STATES: usize = 24;
 
-/// For a state and a cell: the number of the cell on the curve, and the state inside, as `number + CELLS · state`.
-static CURVE: [[u16; CELLS]; STATES] = curve();
+/// For `CELLS · state + cell`: the number of the cell on the curve, and the state inside, as `CELLS · state + number`.
+static CURVE: [u16; CELLS * STATES] = curve();
 
 /// A box of cells, and how to tell which of them a point is in.
 #[derive(Clone, Copy, Debug)]
@@ -67,11 +67,12 @@ impl Grid {
         });
         let cell = cell[0] << 2 | cell[1] << 1 | cell[2];
         let mut place = 0;
+        // The state, times `CELLS`.
         let mut state = 0;
         for level in (0..self.levels).step_by(STRIDE as usize).rev() {
-            let step = CURVE[state % STATES][(cell >> (3 * level)) as usize % CELLS] as usize;
+            let step = CURVE[state | (cell >> (3 * level)) as usize % CELLS] as usize;
             place = place << (3 * STRIDE) | (step % CELLS) as u64;
-            state = step / CELLS;
+            state = step - step % CELLS;
         }
         place
     }
@@ -87,15 +88,15 @@ fn spread(x: u32) -> u64 {
     (x | x << 2) & 0x1249_2492_4924_9249
 }
 
-const fn curve() -> [[u16; CELLS]; STATES] {
-    let mut table = [[0; CELLS]; STATES];
+const fn curve() -> [u16; CELLS * STATES] {
+    let mut table = [0; CELLS * STATES];
     let mut state = 0;
     while state < STATES {
         let mut cell = 0;
         while cell < CELLS {
             let (outer, inside) = eighth(state, cell >> 3);
             let (inner, inside) = eighth(inside, cell & 7);
-            table[state][cell] = (outer << 3 | inner | inside << (3 * STRIDE)) as u16;
+            table[CELLS * state + cell] = (outer << 3 | inner | inside << (3 * STRIDE)) as u16;
             cell += 1;
         }
         state += 1;

@@ -21,8 +21,8 @@ use geometry_core::{HullError, Kernel3, Observer, Step};
 /// Storage for one insertion, kept for the next.
 #[derive(Debug, Default)]
 pub(super) struct Region {
-    /// Sides of facets not yet looked at, which border facets that are seen.
-    ahead: Vec<SideId>,
+    /// Sides of facets that the search has not reached, which border facets that are seen; and whether they are seen.
+    ahead: Vec<(SideId, bool)>,
     /// The facets seen, taken out of the surface.
     seen: Vec<TriangleId>,
     /// The sides beyond the rim, in order round it.
@@ -33,21 +33,20 @@ impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
     /// Replaces what `p` sees, `facet` among it, by the cone from `p`.
     pub(super) fn insert(&mut self, p: u32, facet: TriangleId) -> Result<(), HullError> {
         let mut region = std::mem::take(&mut self.region);
-        let sides = self.mesh.twins(facet);
         region.rim.clear();
+        // Neighbours are looked at together, before any is branched on: the processor computes them side by side.
+        let [first, second, third] = self.mesh.twins(facet).map(|side| (side, self.sees(p, side.triangle())));
+        region.ahead.extend([third, second, first]);
         self.take_out(facet, &mut region.seen);
-        region.ahead.extend(sides.into_iter().rev());
-        while let Some(side) = region.ahead.pop() {
+        while let Some((side, is_seen)) = region.ahead.pop() {
             let facet = side.triangle();
-            if !self.mesh.is_alive(facet) {
-                continue;
-            }
-            if self.sees(p, facet) {
-                let [second, first] = [side.previous(), side.next()].map(|s| self.mesh.twin(s));
-                region.ahead.extend([second, first]);
-                self.take_out(facet, &mut region.seen);
-            } else {
+            if !is_seen {
                 region.rim.push(side);
+            } else if self.mesh.is_alive(facet) {
+                let beyond = [side.previous(), side.next()].map(|side| self.mesh.twin(side));
+                let [second, first] = beyond.map(|side| self.look_at(p, side));
+                region.ahead.extend(second.into_iter().chain(first));
+                self.take_out(facet, &mut region.seen);
             }
         }
         self.check(&region.rim)?;
@@ -61,6 +60,13 @@ impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
         }
         self.region = region;
         Ok(())
+    }
+
+    /// Whether the facet of `side` is seen, or `None` if it has been taken out already.
+    #[inline(always)]
+    fn look_at(&mut self, p: u32, side: SideId) -> Option<(SideId, bool)> {
+        let facet = side.triangle();
+        self.mesh.is_alive(facet).then(|| (side, self.sees(p, facet)))
     }
 
     fn take_out(&mut self, facet: TriangleId, seen: &mut Vec<TriangleId>) {
