@@ -55,8 +55,10 @@ impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
         self.observer.step(|| Step::Insert(names[p as usize]));
         for &side in &region.rim {
             let corners = [self.mesh.target(side), self.mesh.origin(side), p];
-            let [a, b, c] = corners.map(|id| names[id as usize]);
-            self.observer.step(|| Step::Facet(a, b, c));
+            self.observer.step(|| {
+                let [a, b, c] = corners.map(|id| names[id as usize]);
+                Step::Facet(a, b, c)
+            });
         }
         self.region = region;
         Ok(())
@@ -78,14 +80,14 @@ impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
         seen.push(facet);
     }
 
-    /// Whether the rim is one closed walk.
+    /// Checks that the rim is one closed walk, past facets that are still there.
     fn check(&self, rim: &[SideId]) -> Result<(), HullError> {
         let Some(&last) = rim.last().filter(|_| rim.len() >= 3) else {
             return Err(NO_DISC);
         };
         let mut begins = self.mesh.origin(last);
         for &side in rim {
-            if self.mesh.target(side) != begins {
+            if self.mesh.target(side) != begins || !self.mesh.is_alive(side.triangle()) {
                 return Err(NO_DISC);
             }
             begins = self.mesh.origin(side);
