@@ -5,6 +5,7 @@
 //! | `incremental-r` | [`method_r`](mod@method_r) | Σ hᵢ: from O(n h) down, as the hull grows |
 //! | `incremental-3d` | [`incremental_3d`](mod@incremental_3d) | Σ Fᵢ: (n-1)(n-4) tests if all points are extreme |
 //! | `incremental-conflict` | [`incremental_conflict`](mod@incremental_conflict) | expected O(n log n) |
+//! | `incremental-brio` | [`incremental_brio`](mod@incremental_brio) | expected O(n log n) along a surface; the fastest if nearly all points are extreme |
 //!
 //! ```
 //! use geometry_core::{Boundary, Exact, Points, Silent};
@@ -66,7 +67,7 @@ pub const METHODS: &[Method] = &[
         citation: "N. Amenta, S. Choi, G. Rote, Incremental constructions con BRIO, Proceedings of the 19th Annual \
                    Symposium on Computational Geometry, 211-219, 2003",
         departures: incremental_brio::DEPARTURES,
-        cost: "O(n log n) expected",
+        cost: "O(n log n) expected for points along a surface",
         task: spatial_task!(incremental_brio::incremental_brio),
     },
 ];

@@ -186,9 +186,15 @@ mod tests {
                 [a, b, (b + 1 + corner(3 * i) % (count / 4)) % count]
             });
             let mut expected = Loops::with_capacity(0, 0);
-            triangles.clone().for_each(|triangle| expected.push(&triangle));
+            triangles
+                .clone()
+                .for_each(|triangle| expected.push(&triangle));
             let expected = sorted(expected);
-            let all = in_order(count as usize, || triangles.clone(), Loops::with_capacity(0, 0));
+            let all = in_order(
+                count as usize,
+                || triangles.clone(),
+                Loops::with_capacity(0, 0),
+            );
             assert_eq!(facets(&all), facets(&expected), "{count}");
             assert_eq!(all.len(), 2 * count as usize);
         }

@@ -110,7 +110,11 @@ const fn eighth(state: usize, eighth: usize) -> (usize, usize) {
     let code = rotate_right(eighth ^ entry, axis + 1);
     // The inverse of the Gray code n ^ (n >> 1).
     let number = code ^ code >> 1 ^ code >> 2;
-    let first = if number == 0 { 0 } else { gray((number - 1) / 2 * 2) };
+    let first = if number == 0 {
+        0
+    } else {
+        gray((number - 1) / 2 * 2)
+    };
     let along = match number {
         0 => 0,
         n if n % 2 == 0 => (n - 1).trailing_ones() as usize,
@@ -159,7 +163,11 @@ mod tests {
 
     #[test]
     fn any_finite_box_has_a_grid() {
-        for extremes in [[[f64::MIN; 3], [f64::MAX; 3]], [[1.0; 3]; 2], [[0.0; 3], [5e-324; 3]]] {
+        for extremes in [
+            [[f64::MIN; 3], [f64::MAX; 3]],
+            [[1.0; 3]; 2],
+            [[0.0; 3], [5e-324; 3]],
+        ] {
             let grid = Grid::over(extremes.into_iter(), 40);
             assert_eq!(grid.bits(), 36);
             assert!(extremes.iter().all(|&p| grid.place(p) < 1 << 36));

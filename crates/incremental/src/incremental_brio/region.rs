@@ -30,12 +30,15 @@ pub(super) struct Region {
 }
 
 impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
-    /// Replaces what `p` sees, `facet` among it, by the cone from `p`.
+    /// Step 3: replaces what `p` sees, `facet` among it, by the cone from `p`.
     pub(super) fn insert(&mut self, p: u32, facet: TriangleId) -> Result<(), HullError> {
         let mut region = std::mem::take(&mut self.region);
         region.rim.clear();
         // Neighbours are looked at together, before any is branched on: the processor computes them side by side.
-        let [first, second, third] = self.mesh.twins(facet).map(|side| (side, self.sees(p, side.triangle())));
+        let [first, second, third] = self
+            .mesh
+            .twins(facet)
+            .map(|side| (side, self.sees(p, side.triangle())));
         region.ahead.extend([third, second, first]);
         self.take_out(facet, &mut region.seen);
         while let Some((side, is_seen)) = region.ahead.pop() {
@@ -68,7 +71,9 @@ impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
     #[inline(always)]
     fn look_at(&mut self, p: u32, side: SideId) -> Option<(SideId, bool)> {
         let facet = side.triangle();
-        self.mesh.is_alive(facet).then(|| (side, self.sees(p, facet)))
+        self.mesh
+            .is_alive(facet)
+            .then(|| (side, self.sees(p, facet)))
     }
 
     fn take_out(&mut self, facet: TriangleId, seen: &mut Vec<TriangleId>) {

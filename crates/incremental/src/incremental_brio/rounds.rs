@@ -17,18 +17,22 @@ const FIRST_ROUND: u32 = 32;
 const CROWD: usize = 32;
 const ROUND_BITS: u32 = 4;
 
-/// The indices of the points without those in `first`, in the order of insertion.
+/// The indices of all points in the order of insertion: `first`, then the others by rounds.
 pub(super) fn order(points: Points<'_, 3>, first: [u32; 4]) -> Vec<u32> {
-    let ids: Vec<u32> = points.ids().filter(|id| !first.contains(id)).collect();
+    let mut order = Vec::with_capacity(points.len());
+    order.extend(first);
+    order.extend(points.ids().filter(|id| !first.contains(id)));
     let rounds = (points.len() as u32 / FIRST_ROUND).max(1).ilog(4);
     let mut sorter = Sorter {
         points,
         index_bits: points.len().max(2).ilog2() + 1,
-        keys: Vec::with_capacity(ids.len()),
+        keys: Vec::with_capacity(points.len()),
         crowds: Vec::new(),
     };
-    let mut order = ids;
-    sorter.sort(&mut order, 0, |id| u64::from(rounds - quarters(id).min(rounds)));
+    let first = first.len();
+    sorter.sort(&mut order[first..], first, |id| {
+        u64::from(rounds - quarters(id).min(rounds))
+    });
     while let Some((start, end)) = sorter.crowds.pop() {
         sorter.sort(&mut order[start..end], start, |_| 0);
     }
@@ -72,7 +76,10 @@ impl Sorter<'_> {
             *id = (key & mask) as u32;
         }
         let mut start = 0;
-        for cell in self.keys.chunk_by(|a, b| a >> self.index_bits == b >> self.index_bits) {
+        for cell in self
+            .keys
+            .chunk_by(|a, b| a >> self.index_bits == b >> self.index_bits)
+        {
             let end = start + cell.len();
             if cell.len() > CROWD && cell.len() < ids.len() {
                 self.crowds.push((offset + start, offset + end));
