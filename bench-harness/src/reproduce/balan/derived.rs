@@ -17,12 +17,12 @@ pub(crate) fn triangles(row: &CountRow) -> u64 {
 
 /// Orientations asked to tell on which side of a facet's plane a point lies.
 ///
-/// Merging coplanar triangles asks three for each triangle. The two insertions ask one for their first
+/// Merging coplanar triangles asks one for each edge, three for two triangles. The two insertions ask one for their first
 /// tetrahedron, if the first four points of the order span space; the few that the quickhulls ask for theirs are
 /// left in.
 pub(crate) fn plane_tests(row: &CountRow) -> f64 {
     let start = u64::from(row.method.starts_with("incremental"));
-    row.orientations as f64 - (start + 3 * triangles(row)) as f64
+    row.orientations as f64 - (start + 3 * triangles(row) / 2) as f64
 }
 
 /// All questions of every kind.
