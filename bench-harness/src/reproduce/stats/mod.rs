@@ -7,6 +7,8 @@
 //! | [`bootstrap`] | how far would a median move with other realisations |
 //! | [`kendall`] | how alike are two orders |
 //! | [`line`] | slope of a weighted line, and its interval |
+//! | [`logistic`] | where does a share of successes fall to a half |
+//! | [`models`] | which laws of growth may a cost follow |
 //! | [`interval`] | what an interval says about a target or a bound |
 //! | [`holm`] | which of many small p-values are still small together |
 
@@ -15,5 +17,7 @@ pub(crate) mod holm;
 pub(crate) mod interval;
 pub(crate) mod kendall;
 pub(crate) mod line;
+pub(crate) mod logistic;
+pub(crate) mod models;
 pub(crate) mod summary;
 pub(crate) mod wilson;
