@@ -127,7 +127,7 @@ pub(crate) struct BatteryRow {
     pub(crate) power: Option<i32>,
     /// "right", "wrong hull", "endless" or "dangling"; of exact answers, "right" if all methods give the certified hull.
     pub(crate) outcome: String,
-    /// Of exact answers: questions of every kind, and orientations among them that vanish.
+    /// Of exact answers, once the dimension is known: questions of every kind, and orientations among them that vanish.
     pub(crate) questions: u64,
     pub(crate) vanished: u64,
 }

@@ -16,6 +16,7 @@ use crate::reproduce::space::rows::{FailureRow, SetRow};
 use crate::reproduce::space::sets::PointSet3;
 use anyhow::Result;
 use divide_and_conquer::preparata_hong_3d;
+use geometry_core::dimension::AffineBasis;
 use geometry_core::{Exact, Points, Silent};
 
 /// The name of this experiment in the records.
@@ -73,13 +74,17 @@ fn all_ways(definition: &Definition, set: &PointSet3, what: &str) -> Result<Trie
     };
     let certified = certify(STAGE, set, &METHODS.map(str::to_owned))?;
     let all_agree = certified.methods.len() == METHODS.len();
+    let points = Points::new(&set.points)?;
     let kernel = Watched::new(Exact);
-    preparata_hong_3d(Points::new(&set.points)?, &kernel, &mut Silent)?;
+    preparata_hong_3d(points, &kernel, &mut Silent)?;
+    // To find the dimension, points are tried against themselves, unperturbed.
+    let basis = Watched::new(Exact);
+    let _ = AffineBasis::of(points, &basis);
     let mut rows = vec![BatteryRow {
         format: EXACT.to_owned(),
         outcome: if all_agree { "right" } else { "wrong hull" }.to_owned(),
-        questions: kernel.questions(),
-        vanished: kernel.vanished(),
+        questions: kernel.questions() - basis.questions(),
+        vanished: kernel.vanished() - basis.vanished(),
         ..row.clone()
     }];
     let mut failures = certified.failures;

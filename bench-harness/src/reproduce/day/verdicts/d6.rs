@@ -10,9 +10,12 @@ use std::collections::BTreeMap;
 /// The paper's own choice.
 const TETRAHEDRON: &str = "tetrahedron";
 
+/// No base at all.
+const SINGLE: &str = "none";
+
 pub(super) fn judge(records: &Records) -> Verdict {
     let names = in_order(records.bases.iter().map(|row| &row.distribution));
-    let mut parts: Vec<Part> = names.iter().map(|name| fewest(records, name)).collect();
+    let mut parts: Vec<Part> = names.iter().map(|name| fewer(records, name)).collect();
     parts.push(dummies(records));
     let notes = names.iter().flat_map(|name| notes(records, name)).collect();
     verdict("D-6", parts, notes)
@@ -30,22 +33,18 @@ fn bases<'a>(records: &'a Records, distribution: &str) -> BTreeMap<(usize, &'a s
     bases
 }
 
-/// Whether tetrahedra take fewer orientations than every other base, set by set.
-fn fewest(records: &Records, distribution: &str) -> Part {
-    let what = format!("{distribution}: with tetrahedra the fewest orientations of all bases");
+/// Whether tetrahedra take fewer orientations than single points, set by set.
+fn fewer(records: &Records, distribution: &str) -> Part {
+    let what =
+        format!("{distribution}: fewer orientations with tetrahedra than from single points on");
     let bases = bases(records, distribution);
-    let Some(ours) = bases.get(&(4, TETRAHEDRON)) else {
+    let both = (bases.get(&(1, SINGLE)), bases.get(&(4, TETRAHEDRON)));
+    let (Some(single), Some(tetrahedra)) = both else {
         return Part::new(what, Outcome::NotTestable, "not counted");
     };
-    let others = bases.iter().filter(|((_, way), _)| *way != TETRAHEDRON);
-    let best = others.min_by(|(_, x), (_, y)| mean(x).total_cmp(&mean(y)));
-    let Some(((size, way), best)) = best else {
-        return Part::new(what, Outcome::NotTestable, "nothing to compare with");
-    };
-    let savings: Vec<f64> = best
-        .iter()
-        .zip(ours)
-        .map(|(other, ours)| other - ours)
+    let pairs = single.iter().zip(tetrahedra);
+    let savings: Vec<f64> = pairs
+        .map(|(single, tetrahedra)| single - tetrahedra)
         .collect();
     let half = 1.96 * deviation(&savings) / (savings.len() as f64).sqrt();
     let saving = mean(&savings);
@@ -57,8 +56,8 @@ fn fewest(records: &Records, distribution: &str) -> Part {
         Outcome::NotDistinguishable
     };
     let statistic = format!(
-        "{:.3} a point; the best other base, {size} by {way}: {saving:.3} ± {half:.3} more",
-        mean(ours)
+        "{:.3} a point from single points on; {saving:.3} ± {half:.3} fewer with tetrahedra",
+        mean(single)
     );
     Part::new(what, outcome, statistic)
 }
@@ -78,13 +77,26 @@ fn dummies(records: &Records) -> Part {
     Part::new(what, outcome, share(right, sets))
 }
 
+/// All bases, and the best.
 fn notes(records: &Records, distribution: &str) -> Vec<String> {
-    let text: Vec<String> = bases(records, distribution)
+    let bases = bases(records, distribution);
+    let name = |(size, way): &(usize, &str)| match *way {
+        SINGLE => "single points".to_owned(),
+        TETRAHEDRON => "tetrahedra".to_owned(),
+        way => format!("{size} points by {way}"),
+    };
+    let text: Vec<String> = bases
         .iter()
-        .map(|((size, way), values)| format!("{size} by {way} {:.2}", mean(values)))
+        .map(|(base, values)| format!("{} {:.2}", name(base), mean(values)))
         .collect();
+    let best = bases
+        .iter()
+        .min_by(|(_, x), (_, y)| mean(x).total_cmp(&mean(y)));
+    let best = best.map_or_else(String::new, |(base, _)| {
+        format!("; the fewest with {}", name(base))
+    });
     vec![format!(
-        "{distribution}: orientations a point, parts and merges above them: {}",
+        "{distribution}: orientations a point, parts and merges above them: {}{best}",
         text.join(", ")
     )]
 }
@@ -108,7 +120,7 @@ mod tests {
             };
             let off = spread * (replicate % 2);
             records.bases.extend([
-                row(1, "none", 300),
+                row(1, SINGLE, 300),
                 row(4, TETRAHEDRON, tetrahedra + off),
                 row(8, "every triple", 900),
             ]);
