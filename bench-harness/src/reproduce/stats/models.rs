@@ -175,7 +175,8 @@ mod tests {
 
     #[test]
     fn each_law_is_told_from_the_others() {
-        let laws: [(Law, fn(f64) -> f64); 5] = [
+        type Cost = fn(f64) -> f64;
+        let laws: [(Law, Cost); 5] = [
             (Law::Linear, |n| 5.0 * n),
             (Law::Linearithmic, |n| n * (4.0 * n.ln() - 3.0)),
             (Law::LogSquared, |n| n * (n.ln().powi(2) + 2.0)),
