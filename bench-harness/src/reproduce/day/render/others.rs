@@ -102,7 +102,7 @@ pub(crate) fn write_degenerate(folder: &Folder, records: &Records) -> Result<()>
     folder.csv("degenerate.csv", &sheet.csv())
 }
 
-/// "share right [interval]; wrong / endless / dangling".
+/// Share right with its interval, and what became of the rest.
 fn ends(rows: &[&&BatteryRow]) -> String {
     let count = |end: &str| rows.iter().filter(|row| row.outcome == end).count();
     let right = count("right");
