@@ -13,6 +13,7 @@
 
 mod balan;
 mod data;
+mod day;
 mod green_silverman;
 mod nathan;
 mod paper;
@@ -36,6 +37,7 @@ use std::time::Instant;
 /// Every paper, in the order of the report.
 const PAPERS: &[Paper] = &[
     green_silverman::GREEN_SILVERMAN,
+    day::DAY,
     nathan::NATHAN,
     balan::BALAN_MUNJAL_RAO,
 ];
