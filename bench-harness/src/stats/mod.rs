@@ -9,11 +9,20 @@
 //! | [`line`] | slope of a weighted line, and its interval |
 //! | [`interval`] | what an interval says about a target or a bound |
 //! | [`holm`] | which of many small p-values are still small together |
+//! | [`wilcoxon`] | whether differences have their middle at zero |
+//! | [`spearman`] | whether one thing rises with another |
+//! | [`runs_test`] | whether signs come in too few runs |
+//! | [`growth`] | by which law a cost grows, if the data can tell |
 
 pub mod bootstrap;
+pub mod growth;
 pub mod holm;
 pub mod interval;
 pub mod kendall;
 pub mod line;
+mod ranks;
+pub mod runs_test;
+pub mod spearman;
 pub mod summary;
+pub mod wilcoxon;
 pub mod wilson;
