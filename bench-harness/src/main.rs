@@ -3,6 +3,7 @@
 //! This file parses the command line and dispatches; the work is in the library of the same package.
 
 use bench_harness::commands::{check, delaunay, hull, methods, peel, points, sweep};
+use bench_harness::commands::{cmp, diff, export, fit, plot, rank, table};
 use bench_harness::failure::Failure;
 use bench_harness::output::target::note;
 use bench_harness::reproduce;
@@ -20,7 +21,7 @@ Examples:
 
 Exit codes:
   0  done
-  1  a result could not be certified, or a claim does not hold
+  1  a result could not be certified, a claim does not hold, or a run got worse
   2  usage: an unknown option, method or point set
   3  bad input data
   4  a file could not be read or written";
@@ -57,6 +58,20 @@ enum Command {
     Points(points::Args),
     /// The registered methods: publication, cost, departures
     Methods(methods::Args),
+    /// The engines of a recorded run side by side, case by case
+    Cmp(cmp::Args),
+    /// The engines of a recorded run over all cases
+    Rank(rank::Args),
+    /// What has changed between two recorded runs; exit code 1 if something got worse
+    Diff(diff::Args),
+    /// By which law a cost grows, if the records can tell
+    Fit(fit::Args),
+    /// Times and counts of a recorded run in the layout of a paper
+    Table(table::Args),
+    /// Growth and ratios of a recorded run as drawings
+    Plot(plot::Args),
+    /// The times of a recorded run in formats that other tools read
+    Export(export::Args),
     /// The published tables, figures and claims, regenerated and judged
     #[command(after_help = REPRODUCE)]
     Reproduce(reproduce::Args),
@@ -71,6 +86,13 @@ fn main() -> ExitCode {
         Command::Check(args) => check::run(&args),
         Command::Points(args) => points::run(&args),
         Command::Methods(args) => methods::run(&args),
+        Command::Cmp(args) => cmp::run(&args),
+        Command::Rank(args) => rank::run(&args),
+        Command::Diff(args) => diff::run(&args),
+        Command::Fit(args) => fit::run(&args),
+        Command::Table(args) => table::run(&args),
+        Command::Plot(args) => plot::run(&args),
+        Command::Export(args) => export::run(&args),
         Command::Reproduce(args) => reproduce::run(&args).map_err(Failure::from),
     };
     match done {

@@ -3,7 +3,7 @@
 //! A cluster is one realisation of a point set, its values the repetitions on it. Realisations differ more
 //! than repetitions do, so both are drawn again: first clusters, then values within each.
 
-use super::summary::{deviation, mean, median, quantile};
+use super::summary::{deviation, mean, median, median_of, quantile};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -88,7 +88,7 @@ pub fn clustered_median(clusters: &[Vec<f64>], seed: u64) -> Option<Bootstrapped
                     sample.push(cluster[random.random_range(0..cluster.len())]);
                 }
             }
-            median(&sample)
+            median_of(&mut sample)
         })
         .collect();
     let all: Vec<f64> = filled
@@ -119,7 +119,7 @@ pub fn clustered_shift(clusters: &[(Vec<f64>, Vec<f64>)], seed: u64) -> Option<B
     let mut drawn_median = |values: &[f64], random: &mut ChaCha8Rng| {
         sample.clear();
         sample.extend((0..values.len()).map(|_| values[random.random_range(0..values.len())]));
-        median(&sample)
+        median_of(&mut sample)
     };
     let draws = (0..DRAWS)
         .map(|_| {

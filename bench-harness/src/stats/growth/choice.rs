@@ -1,8 +1,8 @@
 //! Which law the data stand for, or that they do not say.
 
 use super::Observation;
-use super::fit::{Fit, fit};
-use super::law::Law;
+use super::fit::{Fit, fit, fit_with};
+use super::law::{Law, Lower};
 use crate::stats::runs_test::too_few_runs;
 use crate::stats::summary::mean;
 use std::fmt;
@@ -22,8 +22,8 @@ const CORRECTION: f64 = 0.05;
 /// A pattern in what is left over matters if it is more than this part of the cost, by its root mean square.
 const PATTERN: f64 = 0.005;
 
-/// Two fits closer than this at every size are one curve.
-const SAME_CURVE: f64 = 0.01;
+/// A law in h that a law in n follows this closely on these sets, by the root mean square, is the same there.
+const SAME_LAW: f64 = 0.01;
 
 /// h must vary by more than this factor for laws in h to be laws of their own.
 const H_VARIES: f64 = 1.05;
@@ -147,9 +147,7 @@ fn judge(candidates: &[Candidate], data: &[Observation], sizes: usize) -> Verdic
         return Verdict::NotDistinguishable(Reason::NoFit);
     };
     let law = best.fit.law;
-    let is_alias = |other: &&&Candidate| {
-        other.fit.law.is_in_h() != law.is_in_h() && same_curve(&best.fit, &other.fit, data)
-    };
+    let is_alias = |other: &&&Candidate| are_same_here(other.fit.law, law, data);
     let close = others.iter().filter(|other| other.behind <= PREFERRED_BY);
     let (aliases, rivals): (Vec<&&Candidate>, Vec<&&Candidate>) = close.partition(is_alias);
     if !rivals.is_empty() {
@@ -198,11 +196,26 @@ fn root_mean_square(values: &[f64]) -> f64 {
     (squares / values.len() as f64).sqrt()
 }
 
-fn same_curve(a: &Fit, b: &Fit, data: &[Observation]) -> bool {
-    let pairs = residuals_by_size(a, data)
-        .into_iter()
-        .zip(residuals_by_size(b, data));
-    pairs.into_iter().all(|(a, b)| (a - b).abs() < SAME_CURVE)
+/// Whether one of the two is in h and the other, with a term of lower order, follows it at every size: on a set whose h
+/// is c n^p, n log h is n log n with a term in n.
+fn are_same_here(one: Law, other: Law, data: &[Observation]) -> bool {
+    let (in_h, in_n) = match (one.is_in_h(), other.is_in_h()) {
+        (true, false) => (one, other),
+        (false, true) => (other, one),
+        _ => return false,
+    };
+    let as_cost = |place: &Observation| {
+        let cost = in_h.at(place)?;
+        Some(Observation { cost, ..*place })
+    };
+    let Some(values) = data.iter().map(as_cost).collect::<Option<Vec<_>>>() else {
+        return false;
+    };
+    let follows = |lower: &Lower| {
+        let found = fit_with(in_n, *lower, &values);
+        found.is_some_and(|fit| root_mean_square(&residuals_by_size(&fit, &values)) < SAME_LAW)
+    };
+    in_n.lower_terms().iter().any(follows)
 }
 
 fn h_varies(data: &[Observation]) -> bool {

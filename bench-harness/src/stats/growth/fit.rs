@@ -154,9 +154,7 @@ fn descend(rows: &[Terms], parameters: usize) -> Option<[f64; 2]> {
         return Some(factors);
     }
     for _ in 0..STEPS {
-        let Some(step) = step(rows, factors) else {
-            return None;
-        };
+        let step = step(rows, factors)?;
         let mut size = 1.0;
         let better = (0..HALVINGS).find_map(|_| {
             let next = [factors[0] + size * step[0], factors[1] + size * step[1]];
