@@ -2,7 +2,8 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`commands`] | the subcommands on a user's own points |
+//! | [`analysis`] | questions about recorded runs, answered from the records alone |
+//! | [`commands`] | the subcommands on a user's own points and on recorded runs |
 //! | [`records`] | a run on disk: its rows, read, written and appended |
 //! | [`stats`] | intervals, tests and fits: plain functions of plain slices |
 //! | [`engine`] | programs that compute, each in a process of its own, behind one pipe protocol |
@@ -17,6 +18,7 @@
 //! | [`reproduce`] | the papers: definitions, experiments, tables, figures, verdicts |
 
 pub mod claimed;
+pub mod analysis;
 pub mod commands;
 mod counting;
 mod definition;

@@ -12,6 +12,8 @@
 //! | [`mesh`] | hulls and triangulations as polygon meshes |
 //! | [`drawing`] | a triangulation as an SVG drawing |
 //! | [`text`] | the pieces of a summary |
+//! | [`sheet`], [`page`] | tables as Markdown, CSV and LaTeX; several under one title, with notes |
+//! | [`plot`] | charts as SVG |
 
 pub mod atomic;
 pub mod catalogue;
@@ -21,9 +23,12 @@ pub mod hull;
 pub mod hull3;
 pub mod mesh;
 pub mod methods;
+pub mod page;
 pub mod peel;
 pub mod peers;
+pub mod plot;
 pub mod rows;
+pub mod sheet;
 pub mod sweep;
 pub mod target;
 pub mod text;

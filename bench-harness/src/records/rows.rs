@@ -2,12 +2,13 @@
 
 use super::error::Problem;
 use super::row::{Fields, Row, one_line};
+use serde::Serialize;
 use std::fmt;
 use std::num::NonZeroU64;
 use std::str::FromStr;
 
 /// A point set of an experiment at one size; its seeds are its realisations.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub struct Case {
     /// The experiment's definition.
     pub definition: String,

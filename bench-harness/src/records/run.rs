@@ -5,6 +5,7 @@ use super::manifest::Manifest;
 use super::read::{self, Content, Numbered};
 use super::row::Row;
 use super::rows::{Case, Cell, Count, Outcome, Sample, Subject, Warning, twin_of};
+use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::path::{Path, PathBuf};
 
@@ -26,6 +27,7 @@ pub struct Run {
     /// What a reader of the folder should know: last lines that were torn.
     pub notes: Vec<String>,
     times: BTreeMap<Case, BTreeMap<String, Vec<Realisation>>>,
+    hull_sizes: BTreeMap<Case, BTreeMap<u64, u64>>,
 }
 
 /// The times of one engine on one realisation of a point set.
@@ -54,7 +56,7 @@ pub struct TwinPair {
 }
 
 /// The least, the median and the most of some integers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Spread {
     /// The least.
     pub least: u64,
@@ -109,17 +111,31 @@ impl Run {
         let warnings = taken(read::rows::<Warning>(folder)?, &mut notes);
         let cells = bare(cells);
         check_certified(folder, &cells, &samples)?;
-        let samples = bare(samples);
+        let rows = (bare(samples), bare(counts), bare(warnings));
         Ok(Self {
             folder: folder.to_owned(),
+            notes,
+            ..Self::from_rows(manifest, cells, rows)
+        })
+    }
+
+    /// The run with these rows, which lies in no folder. Samples must be those of certified cells.
+    pub fn from_rows(
+        manifest: Manifest,
+        cells: Vec<Cell>,
+        (samples, counts, warnings): (Vec<Sample>, Vec<Count>, Vec<Warning>),
+    ) -> Self {
+        Self {
+            folder: PathBuf::new(),
             manifest,
             times: by_case(&samples),
+            hull_sizes: hull_sizes(&cells),
             cells,
             samples,
-            counts: bare(counts),
-            warnings: bare(warnings),
-            notes,
-        })
+            counts,
+            warnings,
+            notes: Vec::new(),
+        }
     }
 
     /// Every case that was measured or counted, in order.
@@ -173,15 +189,12 @@ impl Run {
 
     /// How many vertices the certified hulls of `case` have, over its realisations.
     pub fn h(&self, case: &Case) -> Option<Spread> {
-        let mut by_seed = BTreeMap::new();
-        for cell in &self.cells {
-            if let (Outcome::Certified, Some(h)) = (cell.outcome, cell.h)
-                && cell.subject.case == *case
-            {
-                by_seed.insert(cell.subject.seed, h);
-            }
-        }
-        Spread::of(by_seed.into_values().collect())
+        Spread::of(self.hull_sizes.get(case)?.values().copied().collect())
+    }
+
+    /// How many vertices the certified hull of one realisation of `case` has.
+    pub fn h_of(&self, case: &Case, seed: u64) -> Option<u64> {
+        self.hull_sizes.get(case)?.get(&seed).copied()
     }
 }
 
@@ -227,6 +240,18 @@ fn check_certified(
         }
     }
     Ok(())
+}
+
+/// The numbers of vertices of certified hulls, by case and seed.
+fn hull_sizes(cells: &[Cell]) -> BTreeMap<Case, BTreeMap<u64, u64>> {
+    let mut sizes: BTreeMap<Case, BTreeMap<u64, u64>> = BTreeMap::new();
+    for cell in cells {
+        if let (Outcome::Certified, Some(h)) = (cell.outcome, cell.h) {
+            let case = sizes.entry(cell.subject.case.clone()).or_default();
+            case.insert(cell.subject.seed, h);
+        }
+    }
+    sizes
 }
 
 fn by_case(samples: &[Sample]) -> BTreeMap<Case, BTreeMap<String, Vec<Realisation>>> {

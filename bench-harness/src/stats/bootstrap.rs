@@ -3,7 +3,7 @@
 //! A cluster is one realisation of a point set, its values the repetitions on it. Realisations differ more
 //! than repetitions do, so both are drawn again: first clusters, then values within each.
 
-use super::summary::{median, quantile};
+use super::summary::{deviation, mean, median, median_of, quantile};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -26,6 +26,11 @@ impl Bootstrapped {
             quantile(&self.draws, tail),
             quantile(&self.draws, 1.0 - tail),
         )
+    }
+
+    /// The standard deviation of the bootstrap medians.
+    pub fn standard_error(&self) -> f64 {
+        deviation(&self.draws)
     }
 
     /// The two-sided p-value of the hypothesis that the true median is 0.
@@ -83,7 +88,7 @@ pub fn clustered_median(clusters: &[Vec<f64>], seed: u64) -> Option<Bootstrapped
                     sample.push(cluster[random.random_range(0..cluster.len())]);
                 }
             }
-            median(&sample)
+            median_of(&mut sample)
         })
         .collect();
     let all: Vec<f64> = filled
@@ -92,6 +97,47 @@ pub fn clustered_median(clusters: &[Vec<f64>], seed: u64) -> Option<Bootstrapped
         .collect();
     Some(Bootstrapped {
         median: median(&all),
+        draws,
+    })
+}
+
+/// By how much the medians of the second lists exceed those of the first, in the mean over the clusters; bootstrapped.
+/// `None` if no cluster has values on both sides.
+///
+/// A cluster holds what was measured on one realisation before and after, so that what realisations have of their own
+/// cancels.
+pub fn clustered_shift(clusters: &[(Vec<f64>, Vec<f64>)], seed: u64) -> Option<Bootstrapped> {
+    let filled: Vec<&(Vec<f64>, Vec<f64>)> = clusters
+        .iter()
+        .filter(|(before, after)| !before.is_empty() && !after.is_empty())
+        .collect();
+    if filled.is_empty() {
+        return None;
+    }
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let mut sample = Vec::new();
+    let mut drawn_median = |values: &[f64], random: &mut ChaCha8Rng| {
+        sample.clear();
+        sample.extend((0..values.len()).map(|_| values[random.random_range(0..values.len())]));
+        median_of(&mut sample)
+    };
+    let draws = (0..DRAWS)
+        .map(|_| {
+            let sum: f64 = (0..filled.len())
+                .map(|_| {
+                    let (before, after) = filled[random.random_range(0..filled.len())];
+                    drawn_median(after, &mut random) - drawn_median(before, &mut random)
+                })
+                .sum();
+            sum / filled.len() as f64
+        })
+        .collect();
+    let shifts: Vec<f64> = filled
+        .iter()
+        .map(|(before, after)| median(after) - median(before))
+        .collect();
+    Some(Bootstrapped {
+        median: mean(&shifts),
         draws,
     })
 }
@@ -140,6 +186,34 @@ mod tests {
         assert_eq!(of(3), of(3));
         assert!(clustered_median(&[], 1).is_none());
         assert!(clustered_median(&[vec![]], 1).is_none());
+    }
+
+    #[test]
+    fn a_shift_is_found_beneath_realisations_that_differ_much_more() {
+        let mut random = ChaCha8Rng::seed_from_u64(11);
+        let clusters: Vec<(Vec<f64>, Vec<f64>)> = (0..6)
+            .map(|_| {
+                let own = 10.0 * nearly_normal(&mut random);
+                let mut side = |shift: f64| -> Vec<f64> {
+                    let value = |_| own + shift + 0.1 * nearly_normal(&mut random);
+                    (0..9).map(value).collect()
+                };
+                (side(0.0), side(0.3))
+            })
+            .collect();
+        let shift = clustered_shift(&clusters, 1).expect("values");
+        let (low, high) = shift.interval(0.95);
+        assert!(
+            low > 0.1 && high < 0.5 && low < 0.3 && high > 0.3,
+            "{low} {high}"
+        );
+        assert!(shift.standard_error() < 0.1);
+        let same: Vec<_> = clusters
+            .iter()
+            .map(|(a, _)| (a.clone(), a.clone()))
+            .collect();
+        assert!(clustered_shift(&same, 1).expect("values").median.abs() < 1e-15);
+        assert!(clustered_shift(&[(vec![], vec![1.0])], 1).is_none());
     }
 
     #[test]

@@ -1,4 +1,6 @@
-//! What an interval says about a target.
+//! What an interval says about a target, and an estimate about a margin.
+
+use statrs::distribution::{ContinuousCDF, StudentsT};
 
 /// Where an interval lies relative to a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,9 +29,34 @@ pub fn equivalence(interval: (f64, f64), target: f64, margin: f64) -> Place {
     }
 }
 
+/// The p-value of the hypothesis that a true value lies within `margin` of 0, on whichever side `estimate` lies, by
+/// Student's t with `freedom`; doubled, because the side was not chosen beforehand. 1 for an estimate within the margin.
+///
+/// ```
+/// use bench_harness::stats::interval::p_beyond;
+/// assert!(p_beyond(0.30, 0.01, 20.0, 0.05) < 1e-9);
+/// assert!((p_beyond(0.04, 0.01, 20.0, 0.05) - 1.0).abs() < 1e-12);
+/// ```
+pub fn p_beyond(estimate: f64, error: f64, freedom: f64, margin: f64) -> f64 {
+    let excess = estimate.abs() - margin;
+    if excess <= 0.0 || excess.is_nan() {
+        return 1.0;
+    }
+    let tail = StudentsT::new(0.0, 1.0, freedom.max(1.0)).map_or(0.5, |t| t.sf(excess / error));
+    (2.0 * tail).min(1.0)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn beyond_a_margin() {
+        // t = 2.228 with 10 degrees of freedom: 5 % on both sides.
+        assert!((p_beyond(-3.228, 1.0, 10.0, 1.0) - 0.05).abs() < 1e-4);
+        assert!(p_beyond(2.0, 0.0, 10.0, 1.0) < 1e-12);
+        assert!((p_beyond(f64::NAN, 1.0, 10.0, 1.0) - 1.0).abs() < 1e-15);
+    }
 
     #[test]
     fn each_place() {

@@ -1,7 +1,7 @@
 //! Ranks, of which equal values share the mean.
 
 /// The rank of each value, from 1, twice: equal values share the mean of their places, which then is an integer too.
-pub fn doubled(values: &[f64]) -> Vec<u64> {
+pub(super) fn doubled(values: &[f64]) -> Vec<u64> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_unstable_by(|&i, &j| values[i].total_cmp(&values[j]));
     let mut ranks = vec![0; values.len()];

@@ -1,15 +1,15 @@
-//! A table of text, written as Markdown or as CSV.
+//! A table of text, written as Markdown, as CSV or as LaTeX.
 
 /// Columns and rows.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Sheet {
+pub struct Sheet {
     columns: Vec<String>,
     rows: Vec<Vec<String>>,
 }
 
 impl Sheet {
     /// A table with these columns and no rows.
-    pub(crate) fn new(columns: &[&str]) -> Self {
+    pub fn new(columns: &[&str]) -> Self {
         Self {
             columns: columns.iter().map(|column| (*column).to_owned()).collect(),
             rows: Vec::new(),
@@ -17,18 +17,18 @@ impl Sheet {
     }
 
     /// Adds a row; cells that are missing stay empty.
-    pub(crate) fn push(&mut self, mut row: Vec<String>) {
+    pub fn push(&mut self, mut row: Vec<String>) {
         row.resize(self.columns.len(), String::new());
         self.rows.push(row);
     }
 
     /// Whether there are no rows.
-    pub(crate) fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 
     /// As a Markdown table, columns padded so that it reads as plain text too.
-    pub(crate) fn markdown(&self) -> String {
+    pub fn markdown(&self) -> String {
         let escape = |text: &String| text.replace('|', "\\|").replace('\n', " ");
         let rows: Vec<Vec<String>> = std::iter::once(&self.columns)
             .chain(&self.rows)
@@ -56,7 +56,7 @@ impl Sheet {
     }
 
     /// As CSV.
-    pub(crate) fn csv(&self) -> String {
+    pub fn csv(&self) -> String {
         let quote = |cell: &String| {
             if cell.contains([',', '"', '\n']) {
                 format!("\"{}\"", cell.replace('"', "\"\""))
@@ -70,15 +70,56 @@ impl Sheet {
             .map(line)
             .collect()
     }
+
+    /// As a LaTeX table, for the package booktabs: the first column to the left, the others to the right.
+    pub fn latex(&self) -> String {
+        let line = |row: &Vec<String>| {
+            let cells: Vec<String> = row.iter().map(|cell| to_latex(cell)).collect();
+            format!("{} \\\\\n", cells.join(" & "))
+        };
+        let columns = "r".repeat(self.columns.len().saturating_sub(1));
+        let mut text = format!("\\begin{{tabular}}{{l{columns}}}\n\\toprule\n");
+        text += &line(&self.columns);
+        text += "\\midrule\n";
+        text.extend(self.rows.iter().map(line));
+        text + "\\bottomrule\n\\end{tabular}\n"
+    }
+}
+
+/// A cell as LaTeX; one that is bold in Markdown is bold here.
+fn to_latex(cell: &str) -> String {
+    let escape = |text: &str| {
+        let mut escaped = String::new();
+        for c in text.chars() {
+            match c {
+                '&' | '%' | '$' | '#' | '_' | '{' | '}' => escaped.extend(['\\', c]),
+                '\\' => escaped += "\\textbackslash{}",
+                '~' => escaped += "\\textasciitilde{}",
+                '^' => escaped += "\\textasciicircum{}",
+                '±' => escaped += "$\\pm$",
+                'µ' => escaped += "$\\mu$",
+                '–' => escaped += "--",
+                _ => escaped.push(c),
+            }
+        }
+        escaped
+    };
+    match cell
+        .strip_prefix("**")
+        .and_then(|rest| rest.strip_suffix("**"))
+    {
+        Some(bold) => format!("\\textbf{{{}}}", escape(bold)),
+        None => escape(cell),
+    }
 }
 
 /// `value` with `digits` decimals, or nothing.
-pub(crate) fn fixed(value: Option<f64>, digits: usize) -> String {
+pub fn fixed(value: Option<f64>, digits: usize) -> String {
     value.map_or_else(String::new, |value| format!("{value:.digits$}"))
 }
 
 /// Nanoseconds in a unit that suits them, three significant digits.
-pub(crate) fn duration(nanoseconds: f64) -> String {
+pub fn duration(nanoseconds: f64) -> String {
     let (value, unit) = match nanoseconds {
         t if t < 1e3 => (t, "ns"),
         t if t < 1e6 => (t / 1e3, "µs"),
@@ -103,6 +144,17 @@ mod tests {
             "| a   | b    |\n| --- | ---- |\n| 1,5 | x\\|y |\n| 2   |      |\n"
         );
         assert_eq!(sheet.csv(), "a,b\n\"1,5\",x|y\n2,\n");
+    }
+
+    #[test]
+    fn latex_escapes_and_keeps_bold() {
+        let mut sheet = Sheet::new(&["n", "gs_2"]);
+        sheet.push(vec!["100".into(), "**4.5 µs**".into()]);
+        assert_eq!(
+            sheet.latex(),
+            "\\begin{tabular}{lr}\n\\toprule\nn & gs\\_2 \\\\\n\\midrule\n\
+             100 & \\textbf{4.5 $\\mu$s} \\\\\n\\bottomrule\n\\end{tabular}\n"
+        );
     }
 
     #[test]
