@@ -8,8 +8,8 @@ mod suite;
 
 use crate::failure::Failure;
 use crate::output::atomic::{Existing, write};
+use crate::output::sheet::Sheet;
 use crate::output::target::to_stdout;
-use crate::reproduce::render::sheet::Sheet;
 use anyhow::Result;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;

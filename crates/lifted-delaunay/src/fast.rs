@@ -54,7 +54,13 @@ pub fn fast_delaunay(points: Points<'_, 2>) -> Result<Triangulation, HullError> 
         };
         triangulator.solve(0, n)
     } else {
-        sites = vec![Site { at: [0.0; 2], id: 0 }; n];
+        sites = vec![
+            Site {
+                at: [0.0; 2],
+                id: 0
+            };
+            n
+        ];
         let extent = Extent::of(points.as_slice().iter().copied());
         let mut grid = Grid::new(&extent, (n / CELL).ilog2());
         grid.sort(named, &mut sites);

@@ -9,8 +9,8 @@
 
 #![allow(clippy::print_stdout)] // the table is this program's result
 
-use geometry_core::{Exact, Hull3, Point3, Points, Silent};
 use cpu_time::ProcessTime;
+use geometry_core::{Exact, Hull3, Point3, Points, Silent};
 use peak_alloc::PeakAlloc;
 use point_sets::Spec;
 use std::hint::black_box;

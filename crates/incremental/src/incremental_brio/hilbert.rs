@@ -70,7 +70,7 @@ impl Grid {
         // The state, times `CELLS`.
         let mut state = 0;
         for level in (0..self.levels).step_by(STRIDE as usize).rev() {
-            let step = CURVE[state | (cell >> (3 * level)) as usize % CELLS] as usize;
+            let step = CURVE[state | ((cell >> (3 * level)) as usize % CELLS)] as usize;
             place = place << (3 * STRIDE) | (step % CELLS) as u64;
             state = step - step % CELLS;
         }
