@@ -17,8 +17,8 @@
 //! | `provenance`, `progress`, `parallel` | where a run comes from; how far it is; two sets at a time |
 //! | [`reproduce`] | the papers: definitions, experiments, tables, figures, verdicts |
 
-pub mod claimed;
 pub mod analysis;
+pub mod claimed;
 pub mod commands;
 mod counting;
 mod definition;

@@ -2,10 +2,10 @@
 //! holds, that a cost is O(n log n).
 
 use super::rows::CountRow;
+use crate::reproduce::verdict::{Outcome, Part};
 use crate::stats::interval::{Place, equivalence};
 use crate::stats::line::{Line, fit_log_log};
 use crate::stats::summary::{deviation, mean};
-use crate::reproduce::verdict::{Outcome, Part};
 use std::collections::BTreeMap;
 
 /// n and `quantity` of each run.

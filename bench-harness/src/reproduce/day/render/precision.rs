@@ -7,8 +7,8 @@ use crate::reproduce::day::records::{ControlRow, Records};
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::plot::{PALETTE, Scale, Series, Stroke};
 use crate::reproduce::render::sheet::{Sheet, duration};
-use crate::stats::summary::median;
 use crate::reproduce::verdict::ratio_text;
+use crate::stats::summary::median;
 use anyhow::Result;
 
 const INTRODUCTION: &str = "\

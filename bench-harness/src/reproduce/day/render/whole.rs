@@ -11,9 +11,9 @@ use crate::reproduce::render::sheet::{Sheet, duration};
 use crate::reproduce::space::growth::{against_n, groups, means};
 use crate::reproduce::space::ratio::{median_time, time_ratio};
 use crate::reproduce::space::times::twin;
+use crate::reproduce::verdict::ratio_text;
 use crate::stats::models::compare;
 use crate::stats::summary::mean;
-use crate::reproduce::verdict::ratio_text;
 use anyhow::Result;
 
 const QUESTIONS: &str = "\

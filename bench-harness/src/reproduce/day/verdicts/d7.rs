@@ -4,8 +4,8 @@ use super::{Outcome, Part, Verdict};
 use crate::reproduce::day::derived::{in_order, questions, times};
 use crate::reproduce::day::records::Records;
 use crate::reproduce::space::growth::{against_n, at_largest, exponent, range};
-use crate::stats::models::{Law, Model, compare};
 use crate::reproduce::verdict::{all_of, with_time};
+use crate::stats::models::{Law, Model, compare};
 
 pub(super) fn judge(records: &Records) -> Verdict {
     let counted = in_order(records.counts.iter().map(|row| &row.distribution));

@@ -19,8 +19,8 @@ mod made_up;
 pub(crate) mod predictions;
 
 use super::records::Records;
-use crate::stats::wilson;
 use crate::reproduce::verdict::{Outcome, Part, Verdict, all_of};
+use crate::stats::wilson;
 
 /// Every claim's id and its judge, in order.
 type Judge = fn(&Records) -> Verdict;
