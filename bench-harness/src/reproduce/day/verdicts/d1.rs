@@ -194,6 +194,7 @@ fn notes(records: &Records) -> Vec<String> {
             ));
         }
     }
+    notes.extend(by_size(records));
     if let Some((n, line)) = line_of_bits(records) {
         let (low, high) = line.slope_interval(0.95);
         notes.push(format!(
@@ -208,6 +209,28 @@ fn notes(records: &Records) -> Vec<String> {
             .filter_map(|format| elsewhere(records, format)),
     );
     notes
+}
+
+/// How the threshold of double precision falls from the smallest to the largest n.
+fn by_size(records: &Records) -> Option<String> {
+    let mut plain: Vec<Setting<'_>> = settings(records)
+        .into_iter()
+        .filter(|setting| setting.format == "f64" && setting.is_plain())
+        .collect();
+    plain.sort_by_key(|setting| setting.n);
+    let known =
+        |setting: &Setting<'_>| Some((setting.n as f64, threshold(records, *setting)?.half));
+    let known: Vec<(f64, f64)> = plain.iter().filter_map(known).collect();
+    let ([(n, half), ..], [.., (more, lower)]) = (&known[..], &known[..]) else {
+        return None;
+    };
+    (more > n).then(|| {
+        format!(
+            "f64: from n = {n} to {more} the threshold falls by {:.2} powers of ten for each one of n, so that no eps2 is good for \
+             every n; the paper does not say how many points it tried",
+            (half - lower) / (more / n).log10()
+        )
+    })
 }
 
 /// The thresholds of a format in other ranges and at other offsets.
