@@ -7,7 +7,9 @@ use geometry_core::hull2::sort_distinct;
 use geometry_core::hull3::Solid;
 use geometry_core::kernel::lexicographic;
 use geometry_core::kernel::space::lexicographic3;
+use geometry_core::mesh::{TriMesh, TriangleId};
 use geometry_core::{Exact, Hull2, Hull3, Kernel2, Layers, Point2, Points};
+use hull_verify::check::{self, Certificate3, Finding3};
 use std::collections::HashMap;
 
 /// The value that the cycle `ids` stands for. Ids that name no point are left for the checker to find.
@@ -55,6 +57,42 @@ pub fn spatial(points: Points<'_, 3>, vertices: &[u32], mut polygons: Vec<Vec<u3
         }
         _ => Hull3::Solid(Solid::from_loops(polygons)),
     }
+}
+
+/// The certificate of `hull`; if nothing is wrong with it but that facets are cut into coplanar pieces, that of the
+/// whole facets.
+///
+/// # Errors
+///
+/// What is wrong with it.
+pub fn certify3(points: Points<'_, 3>, hull: &Hull3) -> Result<Certificate3, Vec<Finding3>> {
+    let findings = match check::hull3(points.as_slice(), hull) {
+        Ok(certificate) => return Ok(certificate),
+        Err(findings) => findings,
+    };
+    let is_cut = |finding: &Finding3| matches!(finding, Finding3::CoplanarFacets { .. });
+    if !findings.iter().all(is_cut) {
+        return Err(findings);
+    }
+    // The checker went through the topology before it came to coplanar facets: the surface is closed.
+    let whole = Hull3::from_mesh(points, &triangulated(hull), &Exact);
+    check::hull3(points.as_slice(), &whole)
+}
+
+/// The closed surface of `hull`, cut into triangles.
+fn triangulated(hull: &Hull3) -> TriMesh {
+    let mut mesh = TriMesh::new();
+    let mut sides = HashMap::new();
+    let triangles: Vec<TriangleId> = hull.triangles().map(|corners| mesh.add(corners)).collect();
+    for side in triangles.into_iter().flat_map(TriangleId::sides) {
+        sides.insert((mesh.origin(side), mesh.target(side)), side);
+    }
+    for (&(from, to), &side) in &sides {
+        if let Some(&twin) = sides.get(&(to, from)) {
+            mesh.link(side, twin);
+        }
+    }
+    mesh
 }
 
 /// The value that the cycles `rings`, outermost first, stand for. Every id must name a point; a point that is on no

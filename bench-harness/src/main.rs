@@ -6,6 +6,7 @@ use bench_harness::commands::{check, delaunay, engine, hull, methods, peel, peer
 use bench_harness::failure::Failure;
 use bench_harness::output::target::note;
 use bench_harness::reproduce;
+use bench_harness::{gate, measure};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -57,6 +58,14 @@ enum Command {
     Points(points::Args),
     /// The registered methods: publication, cost, departures
     Methods(methods::Args),
+    /// Engines verified, counted and timed in turn, as definitions say
+    Measure(measure::Args),
+    /// Engines verified, as definitions say
+    Verify(measure::Args),
+    /// Whether the exact counts of a fixed small suite are those that are expected
+    Gate(gate::Args),
+    /// Writes the counts of that suite as the expected ones
+    Bless(gate::Args),
     /// One of our methods, answering the pipe protocol of the harness
     Engine(engine::Args),
     /// Outside programs to compare with: built, and asked who they are
@@ -75,6 +84,10 @@ fn main() -> ExitCode {
         Command::Check(args) => check::run(&args),
         Command::Points(args) => points::run(&args),
         Command::Methods(args) => methods::run(&args),
+        Command::Measure(args) => measure::measure(&args).map_err(Failure::from),
+        Command::Verify(args) => measure::verify(&args).map_err(Failure::from),
+        Command::Gate(args) => gate::gate(&args).map_err(Failure::from),
+        Command::Bless(args) => gate::bless(&args).map_err(Failure::from),
         Command::Engine(args) => engine::run(&args),
         Command::Peers(args) => peers::run(&args),
         Command::Reproduce(args) => reproduce::run(&args).map_err(Failure::from),

@@ -53,12 +53,47 @@ impl Hull3 {
     /// O(f) orientations and O(f log f) time for f triangles; O(k log k) more for a facet of k triangles.
     pub fn from_mesh<K: Kernel3>(points: Points<'_, 3>, mesh: &TriMesh, kernel: &K) -> Self {
         let facets = facets::facets(points, mesh, kernel);
+        // Sorting what there is takes less than looking through all points where few of them are corners.
+        if 16 * facets.corners.len() < points.len() {
+            let mut vertices = facets.corners.clone();
+            vertices.sort_unstable();
+            vertices.dedup();
+            return Hull3::Solid(Solid::in_order(facets, vertices));
+        }
         let mut is_vertex = vec![false; points.len()];
         for &id in &facets.corners {
             is_vertex[id as usize] = true;
         }
         let vertices = points.ids().filter(|&id| is_vertex[id as usize]).collect();
         Hull3::Solid(Solid::in_order(facets, vertices))
+    }
+
+    /// The hull with every index i replaced by `ids[i]`: the hull of a set from the hull of those of its points that may be
+    /// extreme.
+    ///
+    /// `ids` must be ascending, so that what is canonical remains so.
+    ///
+    /// # Panics
+    ///
+    /// If `ids` is too short.
+    ///
+    /// ```
+    /// use geometry_core::Hull3;
+    /// assert_eq!(Hull3::Segment([0, 1]).renumbered(&[3, 7]), Hull3::Segment([3, 7]));
+    /// ```
+    #[must_use]
+    pub fn renumbered(mut self, ids: &[u32]) -> Self {
+        let all: &mut [&mut [u32]] = match &mut self {
+            Hull3::Empty => &mut [],
+            Hull3::Point(id) => &mut [std::slice::from_mut(id)],
+            Hull3::Segment(ends) => &mut [ends],
+            Hull3::Planar(corners) => &mut [corners],
+            Hull3::Solid(solid) => &mut [&mut solid.vertices, &mut solid.corners],
+        };
+        for list in all {
+            list.iter_mut().for_each(|id| *id = ids[*id as usize]);
+        }
+        self
     }
 
     /// The planar hull with these corners in cyclic order, in either direction.

@@ -3,8 +3,8 @@
 use super::experiments::times::TWIN;
 use super::records::Records;
 use crate::reproduce::space::rows::CountRow;
-use crate::reproduce::stats::line::{Line, fit_log_log};
-use crate::reproduce::stats::summary::mean;
+use crate::stats::line::{Line, fit_log_log};
+use crate::stats::summary::mean;
 use std::collections::BTreeMap;
 
 /// A distribution and a size.

@@ -7,8 +7,8 @@ use crate::reproduce::balan::derived::{
 };
 use crate::reproduce::balan::records::Records;
 use crate::reproduce::space::rows::CountRow;
-use crate::reproduce::stats::line::{Line, fit_on_log};
-use crate::reproduce::stats::summary::{mean, standard_error};
+use crate::stats::line::{Line, fit_on_log};
+use crate::stats::summary::{mean, standard_error};
 
 const METHOD: &str = "incremental-conflict";
 

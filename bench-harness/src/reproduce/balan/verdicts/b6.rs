@@ -7,7 +7,7 @@ use crate::reproduce::balan::derived::{
 };
 use crate::reproduce::balan::records::Records;
 use crate::reproduce::space::rows::CountRow;
-use crate::reproduce::stats::line::{Line, fit_on_log};
+use crate::stats::line::{Line, fit_on_log};
 
 /// The paper's program.
 const METHOD: &str = "quickhull-balan";

@@ -2,8 +2,8 @@
 
 use super::{Outcome, Part};
 use crate::reproduce::balan::derived::{exponent, groups, upper_decades};
-use crate::reproduce::stats::interval::{Place, equivalence};
-use crate::reproduce::stats::summary::{deviation, mean};
+use crate::stats::interval::{Place, equivalence};
+use crate::stats::summary::{deviation, mean};
 
 /// What it takes to fit an exponent.
 const TOO_FEW: &str = "not counted at two sizes or more";

@@ -6,7 +6,7 @@
 const Z: f64 = 1.959_963_984_540_054;
 
 /// The 95 % interval of the true proportion when `hits` of `trials` were seen; (0, 1) for no trials.
-pub(crate) fn interval(hits: usize, trials: usize) -> (f64, f64) {
+pub fn interval(hits: usize, trials: usize) -> (f64, f64) {
     if trials == 0 {
         return (0.0, 1.0);
     }

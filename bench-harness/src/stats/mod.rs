@@ -10,10 +10,12 @@
 //! | [`interval`] | what an interval says about a target or a bound |
 //! | [`holm`] | which of many small p-values are still small together |
 
-pub(crate) mod bootstrap;
-pub(crate) mod holm;
-pub(crate) mod interval;
-pub(crate) mod kendall;
-pub(crate) mod line;
-pub(crate) mod summary;
-pub(crate) mod wilson;
+pub mod bootstrap;
+pub mod holm;
+pub mod interval;
+pub mod kendall;
+pub mod line;
+pub mod ranks;
+pub mod spearman;
+pub mod summary;
+pub mod wilson;

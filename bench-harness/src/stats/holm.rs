@@ -3,7 +3,7 @@
 //! S. Holm, *A simple sequentially rejective multiple test procedure*, Scand. J. Statistics 6 (1979).
 
 /// The p-values adjusted so that rejecting those below α errs in any of them with probability at most α.
-pub(crate) fn adjusted(p_values: &[f64]) -> Vec<f64> {
+pub fn adjusted(p_values: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..p_values.len()).collect();
     order.sort_unstable_by(|&i, &j| p_values[i].total_cmp(&p_values[j]));
     let mut adjusted = vec![0.0; p_values.len()];

@@ -1,12 +1,12 @@
 //! Mean, spread, median, quantiles.
 
 /// The arithmetic mean; NaN of nothing.
-pub(crate) fn mean(values: &[f64]) -> f64 {
+pub fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
 /// The standard deviation with n - 1 in the denominator; NaN of fewer than two values.
-pub(crate) fn deviation(values: &[f64]) -> f64 {
+pub fn deviation(values: &[f64]) -> f64 {
     if values.len() < 2 {
         return f64::NAN;
     }
@@ -16,17 +16,17 @@ pub(crate) fn deviation(values: &[f64]) -> f64 {
 }
 
 /// The standard error of the mean.
-pub(crate) fn standard_error(values: &[f64]) -> f64 {
+pub fn standard_error(values: &[f64]) -> f64 {
     deviation(values) / (values.len() as f64).sqrt()
 }
 
 /// The median; NaN of nothing.
-pub(crate) fn median(values: &[f64]) -> f64 {
+pub fn median(values: &[f64]) -> f64 {
     quantile(values, 0.5)
 }
 
 /// The `share` quantile (0 to 1), linear between neighbouring order statistics; NaN of nothing.
-pub(crate) fn quantile(values: &[f64], share: f64) -> f64 {
+pub fn quantile(values: &[f64], share: f64) -> f64 {
     if values.is_empty() {
         return f64::NAN;
     }

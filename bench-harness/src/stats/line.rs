@@ -4,20 +4,20 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 
 /// A fitted line y = intercept + slope x.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Line {
+pub struct Line {
     /// Change of y with x.
-    pub(crate) slope: f64,
+    pub slope: f64,
     /// y at x = 0.
-    pub(crate) intercept: f64,
+    pub intercept: f64,
     /// Standard error of the slope, from the scatter about the line.
-    pub(crate) slope_error: f64,
+    pub slope_error: f64,
     /// Observations less the two fitted values.
-    pub(crate) freedom: f64,
+    pub freedom: f64,
 }
 
 impl Line {
     /// The interval of the slope at `confidence` (0 to 1), by Student's t.
-    pub(crate) fn slope_interval(&self, confidence: f64) -> (f64, f64) {
+    pub fn slope_interval(&self, confidence: f64) -> (f64, f64) {
         let quantile = StudentsT::new(0.0, 1.0, self.freedom)
             .map_or(f64::INFINITY, |t| t.inverse_cdf(0.5 + confidence / 2.0));
         let half = quantile * self.slope_error;
@@ -26,7 +26,7 @@ impl Line {
 }
 
 /// The least-squares line through `(x, y, weight)`; `None` for fewer than three points or a single x.
-pub(crate) fn fit(data: &[(f64, f64, f64)]) -> Option<Line> {
+pub fn fit(data: &[(f64, f64, f64)]) -> Option<Line> {
     if data.len() < 3 {
         return None;
     }
@@ -59,7 +59,7 @@ pub(crate) fn fit(data: &[(f64, f64, f64)]) -> Option<Line> {
 }
 
 /// The line through (ln x, ln y), every point of the same weight: its slope is the exponent of growth.
-pub(crate) fn fit_log_log(data: &[(f64, f64)]) -> Option<Line> {
+pub fn fit_log_log(data: &[(f64, f64)]) -> Option<Line> {
     let logs: Vec<(f64, f64, f64)> = data.iter().map(|(x, y)| (x.ln(), y.ln(), 1.0)).collect();
     fit(&logs)
 }
@@ -69,7 +69,7 @@ pub(crate) fn fit_log_log(data: &[(f64, f64)]) -> Option<Line> {
 ///
 /// H. White, *A heteroskedasticity-consistent covariance matrix estimator*, Econometrica 48 (1980), with the
 /// factor N / (N - 2) for small N.
-pub(crate) fn fit_on_log(data: &[(f64, f64)]) -> Option<Line> {
+pub fn fit_on_log(data: &[(f64, f64)]) -> Option<Line> {
     let logs: Vec<(f64, f64, f64)> = data.iter().map(|(x, y)| (x.ln(), *y, 1.0)).collect();
     let line = fit(&logs)?;
     let x_mean = logs.iter().map(|(x, ..)| x).sum::<f64>() / logs.len() as f64;

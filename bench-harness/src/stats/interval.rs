@@ -2,7 +2,7 @@
 
 /// Where an interval lies relative to a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub enum Place {
     /// All of it within the band: equivalent to the target.
     Within,
     /// All of it outside the band: different from the target.
@@ -16,7 +16,7 @@ pub(crate) enum Place {
 ///
 /// D. J. Schuirmann, *A comparison of the two one-sided tests procedure and the power approach*, J.
 /// Pharmacokinetics and Biopharmaceutics 15 (1987).
-pub(crate) fn equivalence(interval: (f64, f64), target: f64, margin: f64) -> Place {
+pub fn equivalence(interval: (f64, f64), target: f64, margin: f64) -> Place {
     let (low, high) = (interval.0 - target, interval.1 - target);
     if low >= -margin && high <= margin {
         Place::Within

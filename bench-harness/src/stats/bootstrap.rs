@@ -12,15 +12,15 @@ const DRAWS: usize = 2_000;
 
 /// A median with its bootstrap distribution.
 #[derive(Clone, Debug)]
-pub(crate) struct Bootstrapped {
+pub struct Bootstrapped {
     /// The median of the values as measured.
-    pub(crate) median: f64,
+    pub median: f64,
     draws: Vec<f64>,
 }
 
 impl Bootstrapped {
     /// The central interval that holds `confidence` (0 to 1) of the bootstrap medians.
-    pub(crate) fn interval(&self, confidence: f64) -> (f64, f64) {
+    pub fn interval(&self, confidence: f64) -> (f64, f64) {
         let tail = (1.0 - confidence) / 2.0;
         (
             quantile(&self.draws, tail),
@@ -29,7 +29,7 @@ impl Bootstrapped {
     }
 
     /// The two-sided p-value of the hypothesis that the true median is 0.
-    pub(crate) fn p_value(&self) -> f64 {
+    pub fn p_value(&self) -> f64 {
         let count = |keep: fn(&f64) -> bool| self.draws.iter().filter(|draw| keep(draw)).count();
         let below = count(|draw| *draw <= 0.0);
         let above = count(|draw| *draw >= 0.0);
@@ -38,7 +38,7 @@ impl Bootstrapped {
     }
 
     /// The mean of several independent medians; `None` of none.
-    pub(crate) fn mean_of(parts: &[Self]) -> Option<Self> {
+    pub fn mean_of(parts: &[Self]) -> Option<Self> {
         let first = parts.first()?;
         let share = 1.0 / parts.len() as f64;
         let draws = (0..first.draws.len())
@@ -49,7 +49,7 @@ impl Bootstrapped {
     }
 
     /// This distribution less an independent other one.
-    pub(crate) fn minus(&self, other: &Self) -> Self {
+    pub fn minus(&self, other: &Self) -> Self {
         let draws = self
             .draws
             .iter()
@@ -64,7 +64,7 @@ impl Bootstrapped {
 }
 
 /// The median of all values in `clusters`, bootstrapped; `None` if there are no values.
-pub(crate) fn clustered_median(clusters: &[Vec<f64>], seed: u64) -> Option<Bootstrapped> {
+pub fn clustered_median(clusters: &[Vec<f64>], seed: u64) -> Option<Bootstrapped> {
     let filled: Vec<&Vec<f64>> = clusters
         .iter()
         .filter(|cluster| !cluster.is_empty())

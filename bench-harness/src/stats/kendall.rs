@@ -5,7 +5,7 @@
 /// Kendall's tau-b of two lists of scores of the same things: 1 for the same order, -1 for the reverse.
 ///
 /// NaN if either list has no two different scores.
-pub(crate) fn tau(left: &[f64], right: &[f64]) -> f64 {
+pub fn tau(left: &[f64], right: &[f64]) -> f64 {
     let (mut agree, mut tied_left, mut tied_right, mut pairs) = (0.0, 0.0, 0.0, 0.0);
     let count = left.len().min(right.len());
     for i in 0..count {
