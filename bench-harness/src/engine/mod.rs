@@ -2,7 +2,7 @@
 //!
 //! Our methods and outside programs run under the same method: the harness starts a child process, asks for its
 //! version, hands it points, and asks for samples, for the hull, for counters. What goes wrong with a child is a
-//! recorded [`Fault`], never a fault of the harness. The protocol is written down in `bench-harness/PROTOCOL.md`.
+//! recorded [`Fault`](fault::Fault), never a fault of the harness. The protocol is written down in `bench-harness/PROTOCOL.md`.
 //!
 //! | module | holds |
 //! |---|---|
