@@ -173,10 +173,9 @@ fn manifest() -> Manifest {
     Manifest {
         commit: "0123abc".into(),
         processor: "made up".into(),
-        caches: vec![Cache {
-            level: 2,
-            bytes: 1 << 20,
-        }],
+        caches: [(1, 1 << 15), (2, 1 << 20)]
+            .map(|(level, bytes)| Cache { level, bytes })
+            .to_vec(),
         engines: vec![EngineStamp {
             name: "qhull".into(),
             version: "2020.2".into(),
