@@ -11,12 +11,14 @@
 //! | `models` | which laws of growth may a cost follow |
 //! | [`interval`] | what an interval says about a target or a bound |
 //! | [`holm`] | which of many small p-values are still small together |
+//! | [`freedom`] | how many degrees of freedom clusters leave |
 //! | [`wilcoxon`] | whether differences have their middle at zero |
 //! | [`spearman`] | whether one thing rises with another |
 //! | [`runs_test`] | whether signs come in too few runs |
 //! | [`growth`] | by which law a cost grows, if the data can tell |
 
 pub mod bootstrap;
+pub mod freedom;
 pub mod growth;
 pub mod holm;
 pub mod interval;

@@ -71,6 +71,20 @@ fn two_runs_of_the_same_programs_rarely_differ() {
 }
 
 #[test]
+fn a_machine_that_is_slower_altogether_is_suspected() {
+    let mut new = MadeUp::new(4);
+    for engine in &mut new.engines {
+        engine.1 *= 1.2;
+    }
+    let found = diff(&MadeUp::new(3).run(), &new.run());
+    assert!(
+        found.notes[0].contains("it may be the machine"),
+        "{:?}",
+        found.notes
+    );
+}
+
+#[test]
 fn a_difference_inside_the_band_is_not_claimed() {
     // Twins that lie in memory luckily or not by 5 % make a band that holds 4 %.
     let scattered = |seed: u64| MadeUp {
