@@ -35,11 +35,6 @@ impl Judgement {
         }
     }
 
-    /// There is no hull to judge, by design.
-    pub(super) fn yardstick(about: &str) -> Self {
-        Self::without_answer(Outcome::Certified, about.to_owned())
-    }
-
     fn certified(answer: &Answer, finding: &str) -> Self {
         Self {
             outcome: Outcome::Certified,
