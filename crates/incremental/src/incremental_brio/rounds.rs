@@ -45,9 +45,9 @@ pub(super) fn order(points: Points<'_, 3>, first: [u32; 4]) -> Vec<u32> {
 /// that a row of points is in rounds that look random.
 fn quarters(id: u32) -> u32 {
     let mut x = (u64::from(id) + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    x = (x ^ x >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    x = (x ^ x >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-    (x ^ x >> 31).trailing_zeros() / 2
+    x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    (x ^ (x >> 31)).trailing_zeros() / 2
 }
 
 struct Sorter<'a> {
@@ -67,8 +67,8 @@ impl Sorter<'_> {
         let grid = Grid::over(ids.iter().map(|&id| self.points[id]), bits);
         self.keys.clear();
         self.keys.extend(ids.iter().map(|&id| {
-            let cell = round(id) << grid.bits() | grid.place(self.points[id]);
-            cell << self.index_bits | u64::from(id)
+            let cell = (round(id) << grid.bits()) | grid.place(self.points[id]);
+            (cell << self.index_bits) | u64::from(id)
         }));
         self.keys.sort_unstable();
         let mask = (1 << self.index_bits) - 1;
