@@ -31,9 +31,11 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// The grid over the bounding box of `points` whose cells are numbered with at most `bits` bits.
-    pub(super) fn over(points: impl Iterator<Item = Point3>, bits: u32) -> Self {
-        let levels = (bits / 3 / STRIDE * STRIDE).min(20);
+    /// The grid over the bounding box of `points`, with `levels` rounded up to a multiple of [`STRIDE`].
+    ///
+    /// At most 20 levels.
+    pub(super) fn over(points: impl Iterator<Item = Point3>, levels: u32) -> Self {
+        let levels = levels.min(20).next_multiple_of(STRIDE);
         let mut lowest = [f64::INFINITY; 3];
         let mut highest = [f64::NEG_INFINITY; 3];
         for p in points {
@@ -147,7 +149,7 @@ mod tests {
     fn every_step_goes_to_a_neighbour() {
         const SIDE: usize = 16;
         let corners = [[0.0; 3], [SIDE as f64; 3]];
-        let grid = Grid::over(corners.into_iter(), 12);
+        let grid = Grid::over(corners.into_iter(), 4);
         assert_eq!(grid.bits(), 12);
         let mut visited = vec![None; SIDE.pow(3)];
         for cell in 0..SIDE.pow(3) {
@@ -169,7 +171,7 @@ mod tests {
             [[1.0; 3]; 2],
             [[0.0; 3], [5e-324; 3]],
         ] {
-            let grid = Grid::over(extremes.into_iter(), 40);
+            let grid = Grid::over(extremes.into_iter(), 11);
             assert_eq!(grid.bits(), 36);
             assert!(extremes.iter().all(|&p| grid.place(p) < 1 << 36));
         }
