@@ -101,6 +101,34 @@ impl Hull3 {
         Hull3::Solid(Solid::of_sorted(facets, vertices))
     }
 
+    /// The hull with every index i replaced by `ids[i]`: the hull of a set from the hull of those of its points that may be
+    /// extreme.
+    ///
+    /// `ids` must be ascending, so that what is canonical remains so.
+    ///
+    /// # Panics
+    ///
+    /// If `ids` is too short.
+    ///
+    /// ```
+    /// use geometry_core::Hull3;
+    /// assert_eq!(Hull3::Segment([0, 1]).renumbered(&[3, 7]), Hull3::Segment([3, 7]));
+    /// ```
+    #[must_use]
+    pub fn renumbered(mut self, ids: &[u32]) -> Self {
+        let all: &mut [&mut [u32]] = match &mut self {
+            Hull3::Empty => &mut [],
+            Hull3::Point(id) => &mut [std::slice::from_mut(id)],
+            Hull3::Segment(ends) => &mut [ends],
+            Hull3::Planar(corners) => &mut [corners],
+            Hull3::Solid(solid) => &mut [&mut solid.vertices, &mut solid.corners],
+        };
+        for list in all {
+            list.iter_mut().for_each(|id| *id = ids[*id as usize]);
+        }
+        self
+    }
+
     /// The planar hull with these corners in cyclic order, in either direction.
     pub(crate) fn of_polygon(points: Points<'_, 3>, mut ids: Vec<u32>) -> Self {
         let by_place = |&i: &usize, &j: &usize| lexicographic3(points[ids[i]], points[ids[j]]);

@@ -13,8 +13,8 @@ use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::sheet::{Sheet, duration, fixed};
 use crate::reproduce::space::ratio::{median_time, time_ratio};
 use crate::reproduce::space::rows::CountRow;
-use crate::reproduce::stats::summary::mean;
 use crate::reproduce::verdict::ratio_text;
+use crate::stats::summary::mean;
 use anyhow::Result;
 
 const COUNTS: &str = "\
