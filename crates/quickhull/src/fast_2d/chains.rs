@@ -9,7 +9,7 @@
 //! ```
 
 use super::order::Keys;
-use super::throw_away::INLINE;
+use super::region::INLINE;
 use geometry_core::kernel::lexicographic;
 use geometry_core::{Boundary, Hull2, Kernel2, Observer, Point2, Sign, Step};
 use smallvec::{SmallVec, smallvec};
