@@ -14,6 +14,11 @@ const MOST_SAMPLED: usize = 1 << 14;
 /// With fewer points, all are looked at.
 const SAMPLED_FROM: usize = 1 << 12;
 
+/// Fewer corners than this are refined at once, as those of a long and slanted set may be few and close together, unless
+/// there are so few points that it does not matter.
+const ENOUGH: usize = 7;
+const MANY: usize = 512;
+
 /// With fewer points, a pass takes longer than sorting those that it throws away.
 const FEW: usize = 24;
 
@@ -32,7 +37,10 @@ impl Cascade {
             return None;
         }
         let sample = sampled(points);
-        let corners = Corners::of(&sample)?.refined(&sample);
+        let mut corners = Corners::of(&sample)?;
+        if corners.len() < ENOUGH && points.len() >= MANY {
+            corners = corners.refined(&sample);
+        }
         let polygon = Polygon::of(&corners)?;
         let mut cascade = Self {
             core: None,

@@ -1,6 +1,6 @@
 //! A polygon of input points, and the certificate that a point lies strictly inside it.
 //!
-//! The first corners are the points furthest along the axes. Then each edge gets a new corner, the point furthest
+//! The first corners are the points furthest along the axes and the diagonals. Then each edge gets a new corner, the point furthest
 //! outside it, so the corners double, still run anticlockwise, and follow the shape of the set, however long and
 //! slanted. A point is certified if it lies to the left of every edge by more than rounding can account for. Nothing
 //! else is asked of the corners: they may be chosen with any error, and the polygon may be flat or fold over itself.
@@ -43,7 +43,7 @@
 //! inside**, so a set whose every other point was thrown away need not be searched for NaN. No product overflows, as
 //! |a'|, |b'| ≤ 1; a sum that does belongs to a point that failed already.
 
-use super::extremes::{AT_A_TIME, furthest};
+use super::extremes::{AT_A_TIME, furthest, furthest_by_compass};
 use super::region::{LANES, Lanes, Region, lesser};
 use geometry_core::Point2;
 use smallvec::SmallVec;
@@ -87,10 +87,9 @@ impl Edge {
 pub(super) struct Corners(SmallVec<[Point2; 8]>);
 
 impl Corners {
-    /// The points furthest along the axes; none if there are no points.
+    /// The points furthest along the axes and the diagonals; none if there are no points.
     pub(super) fn of(points: &[Point2]) -> Option<Self> {
-        let axes = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
-        Some(Self::distinct(furthest(points, &axes)?))
+        furthest_by_compass(points).map(Self::distinct)
     }
 
     /// These corners and, between each two, the point furthest outside their edge.

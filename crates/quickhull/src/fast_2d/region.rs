@@ -9,9 +9,9 @@ use smallvec::SmallVec;
 /// Points are tested in blocks of so many, a bit of a word for each.
 const BLOCK: usize = 64;
 
-/// Points are measured side by side, so many at a time: enough for two vectors of the widest kind. With more the compiler
-/// may read them backwards, which keeps the processor from fetching them ahead.
-pub(super) const LANES: usize = 16;
+/// Points are measured side by side, so many at a time. With more, the compiler finds ways to read them that are slow on
+/// some machines.
+pub(super) const LANES: usize = 8;
 
 /// Up to so many points are kept without allocation.
 pub(super) const INLINE: usize = 128;
@@ -108,17 +108,18 @@ impl Kept {
     /// Adds the points of the block whose bits are set; the block's first point has the index `first`.
     #[inline(always)]
     fn add(&mut self, block: &[Point2; BLOCK], first: u32, mut bits: u64) {
-        let (mut points, mut ids) = ([[0.0; 2]; BLOCK], [0; BLOCK]);
-        let mut count = 0;
-        while bits != 0 {
-            let place = bits.trailing_zeros();
-            bits &= bits - 1;
-            points[count] = block[place as usize];
-            ids[count] = first + place;
-            count += 1;
+        let (before, count) = (self.points.len(), bits.count_ones() as usize);
+        self.points.resize(before + count, [0.0; 2]);
+        self.ids.resize(before + count, 0);
+        let new = self.points[before..]
+            .iter_mut()
+            .zip(&mut self.ids[before..]);
+        for (point, id) in new {
+            let place = bits.trailing_zeros() % BLOCK as u32;
+            bits &= bits.wrapping_sub(1);
+            *point = block[place as usize];
+            *id = first + place;
         }
-        self.points.extend_from_slice(&points[..count]);
-        self.ids.extend_from_slice(&ids[..count]);
     }
 }
 
