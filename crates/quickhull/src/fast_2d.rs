@@ -35,15 +35,19 @@
 //! When most points are extreme it is a sort and a scan; when they lie on a line but for rounding, a scan that asks
 //! for exact arithmetic at every point.
 
+mod cascade;
 mod chains;
+mod core;
 mod extremes;
 mod order;
 mod polygon;
+mod region;
 mod throw_away;
 
 use chains::{Candidates, hull_of};
 use geometry_core::{Boundary, Exact, Hull2, HullError, Kernel2, Observer, Point2, Points, Silent};
-use throw_away::{Kept, Left, throw_away};
+use region::Kept;
+use throw_away::{Left, throw_away};
 
 /// Where this file departs from the papers, and from the rule that an algorithm compares no coordinates.
 pub const DEPARTURES: &[&str] = &[
