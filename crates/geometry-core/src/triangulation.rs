@@ -170,4 +170,30 @@ mod tests {
             assert_eq!(smallest_first(corners), expected, "{corners:?}");
         }
     }
+
+    /// Triangles with every rotation and many equal first corners, by counting and by comparing.
+    #[test]
+    fn counting_and_comparing_give_the_same_order() {
+        for len in [0, 1, FEW, FEW + 1, 40 * FEW] {
+            let corner = |i: usize| (i as u32).wrapping_mul(2_654_435_761) >> 20;
+            let triangles = (0..len).map(|i| [i, i + len, i + 2 * len].map(corner));
+            let canonical = |corners: &[u32; 3]| {
+                let first = (0..3).min_by_key(|&i| corners[i]).unwrap_or(0);
+                [0, 1, 2].map(|i| corners[(first + i) % 3])
+            };
+            let mut expected: Vec<[u32; 3]> = triangles.clone().map(|t| canonical(&t)).collect();
+            expected.sort_unstable();
+            let triangulation = Triangulation::new(triangles.collect());
+            assert_eq!(triangulation.triangles(), expected);
+        }
+    }
+
+    #[test]
+    fn indices_far_apart_are_sorted_too() {
+        let far = u32::MAX - 1;
+        let triangles = (0..100).map(|i| [far - i, 7, far - 2 * i]).collect();
+        let triangulation = Triangulation::new(triangles);
+        assert!(triangulation.triangles().is_sorted());
+        assert!(triangulation.triangles().iter().all(|t| t[0] == 7));
+    }
 }
