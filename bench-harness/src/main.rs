@@ -2,11 +2,12 @@
 //!
 //! This file parses the command line and dispatches; the work is in the library of the same package.
 
-use bench_harness::commands::{check, delaunay, hull, methods, peel, points, sweep};
+use bench_harness::commands::{check, delaunay, engine, hull, methods, peel, peers, points, sweep};
 use bench_harness::commands::{cmp, diff, export, fit, plot, rank, table};
 use bench_harness::failure::Failure;
 use bench_harness::output::target::note;
 use bench_harness::reproduce;
+use bench_harness::{gate, measure};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -58,6 +59,18 @@ enum Command {
     Points(points::Args),
     /// The registered methods: publication, cost, departures
     Methods(methods::Args),
+    /// Engines verified, counted and timed in turn, as definitions say
+    Measure(measure::Args),
+    /// Engines verified, as definitions say
+    Verify(measure::Args),
+    /// Whether the exact counts of a fixed small suite are those that are expected
+    Gate(gate::Args),
+    /// Writes the counts of that suite as the expected ones
+    Bless(gate::Args),
+    /// One of our methods, answering the pipe protocol of the harness
+    Engine(engine::Args),
+    /// Outside programs to compare with: built, and asked who they are
+    Peers(peers::Args),
     /// The engines of a recorded run side by side, case by case
     Cmp(cmp::Args),
     /// The engines of a recorded run over all cases
@@ -86,6 +99,12 @@ fn main() -> ExitCode {
         Command::Check(args) => check::run(&args),
         Command::Points(args) => points::run(&args),
         Command::Methods(args) => methods::run(&args),
+        Command::Measure(args) => measure::measure(&args).map_err(Failure::from),
+        Command::Verify(args) => measure::verify(&args).map_err(Failure::from),
+        Command::Gate(args) => gate::gate(&args).map_err(Failure::from),
+        Command::Bless(args) => gate::bless(&args).map_err(Failure::from),
+        Command::Engine(args) => engine::run(&args),
+        Command::Peers(args) => peers::run(&args),
         Command::Cmp(args) => cmp::run(&args),
         Command::Rank(args) => rank::run(&args),
         Command::Diff(args) => diff::run(&args),

@@ -12,6 +12,8 @@
 //! | [`check`] | whether a hull made by anyone is the hull of the points |
 //! | [`points`] | a point set from the catalogue |
 //! | [`methods`] | the registered methods |
+//! | [`engine`] | one of our methods, answering the pipe protocol |
+//! | [`peers`] | outside programs, built and asked who they are |
 //! | [`cmp`] | the engines of a run side by side |
 //! | [`rank`] | the engines of a run over all cases |
 //! | [`diff`] | what has changed between two runs |
@@ -28,12 +30,14 @@ pub mod claim;
 pub mod cmp;
 pub mod delaunay;
 pub mod diff;
+pub mod engine;
 pub mod export;
 pub mod fit;
 pub mod hull;
 pub mod input;
 pub mod methods;
 pub mod peel;
+pub mod peers;
 pub mod plot;
 pub mod points;
 pub mod rank;

@@ -8,7 +8,7 @@
 //! | [`target`] | where a result goes, in which format, and the one way to write it there |
 //! | [`atomic`] | files that appear whole or not at all |
 //! | [`rows`] | vertices and points as rows of CSV and JSON |
-//! | [`hull`], [`hull3`], [`peel`], [`delaunay`], [`sweep`], [`methods`], [`catalogue`] | each result as CSV, JSON or a summary for reading |
+//! | [`hull`], [`hull3`], [`peel`], [`delaunay`], [`sweep`], [`methods`], [`peers`], [`catalogue`] | each result as CSV, JSON or a summary for reading |
 //! | [`mesh`] | hulls and triangulations as polygon meshes |
 //! | [`drawing`] | a triangulation as an SVG drawing |
 //! | [`text`] | the pieces of a summary |
@@ -25,6 +25,7 @@ pub mod mesh;
 pub mod methods;
 pub mod page;
 pub mod peel;
+pub mod peers;
 pub mod plot;
 pub mod rows;
 pub mod sheet;

@@ -10,18 +10,15 @@
 //! | `timing` | samples of time, interleaved and warm |
 //! | `verdict`, `prediction` | outcomes and how parts make a whole; what we expected |
 //! | `render` | the pieces of a report: sheets, plots, claims, the folder |
-//! | `provenance`, `progress`, `parallel` | where a report comes from; how far it is; two sets at a time |
 
 mod balan;
 mod data;
+mod day;
 mod green_silverman;
 mod nathan;
 mod paper;
-mod parallel;
 mod prediction;
-mod progress;
-mod provenance;
-mod render;
+pub(crate) mod render;
 mod space;
 mod theory;
 mod timing;
@@ -29,6 +26,7 @@ mod verdict;
 
 use crate::failure::Failure;
 use crate::output::target::to_stdout;
+use crate::{parallel, progress, provenance};
 use anyhow::Result;
 use paper::{Judged, Paper, Request};
 use provenance::Provenance;
@@ -39,6 +37,7 @@ use std::time::Instant;
 /// Every paper, in the order of the report.
 const PAPERS: &[Paper] = &[
     green_silverman::GREEN_SILVERMAN,
+    day::DAY,
     nathan::NATHAN,
     balan::BALAN_MUNJAL_RAO,
 ];

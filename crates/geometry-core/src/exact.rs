@@ -17,12 +17,15 @@
 //! K. Ozaki, F. Bünger, T. Ogita, S. Oishi, S. M. Rump, *Simple floating-point filters for the
 //! two-dimensional orientation problem*, BIT 56 (2016).
 
+mod boxed;
 mod circle;
 mod expansion;
 mod integer;
 mod planar;
 pub(crate) mod scaled;
 mod spatial;
+
+pub use boxed::{Boxed, Unit};
 
 use crate::kernel::space::{Axis, Kernel3};
 use crate::kernel::{InCircle, Kernel2, Stage};

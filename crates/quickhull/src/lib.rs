@@ -3,8 +3,10 @@
 //! | slug | module | time |
 //! |---|---|---|
 //! | `eddy` | [`eddy`](mod@eddy) | O(n h), about linear on the usual distributions |
+//! | `fast-2d` | [`fast_2d`](mod@fast_2d) | O(n + m log m) for m points left by the throw-away |
 //! | `quickhull-balan` | [`balan_quickhull`](mod@balan_quickhull) | O(n m) for m facets made |
 //! | `quickhull-3d` | [`quickhull_3d`](mod@quickhull_3d) | O(n²); about linear on the usual distributions, O(n log n) on a sphere |
+//! | `fast-3d` | [`fast_3d`](mod@fast_3d) | O(n) on average where few points are extreme |
 //!
 //! ```
 //! use geometry_core::{Boundary, Exact, Points, Silent};
@@ -18,12 +20,17 @@ use geometry_core::{Method, planar_task, spatial_task};
 
 pub mod balan_quickhull;
 pub mod eddy;
+pub mod fast_2d;
+pub mod fast_3d;
 mod furthest;
 mod horizon;
+mod pending;
 pub mod quickhull_3d;
 
 pub use balan_quickhull::balan_quickhull;
 pub use eddy::eddy;
+pub use fast_2d::{convex_hull, fast_2d};
+pub use fast_3d::fast_3d;
 pub use quickhull_3d::quickhull_3d;
 
 /// The methods of this family.
@@ -36,6 +43,17 @@ pub const METHODS: &[Method] = &[
         departures: eddy::DEPARTURES,
         cost: "O(n h); about linear on average for the usual distributions",
         task: planar_task!(PlanarHull, eddy::eddy),
+    },
+    Method {
+        slug: "fast-2d",
+        title: "Throw-away with certificates, then monotone chains",
+        citation: "S. G. Akl, G. T. Toussaint, A fast convex hull algorithm, Information Processing Letters 7 (1978), \
+                   219-222; L. Devroye, G. T. Toussaint, A note on linear expected time algorithms for finding convex \
+                   hulls, Computing 26 (1981), 361-366; A. M. Andrew, Information Processing Letters 9 (1979), 216-219",
+        departures: fast_2d::DEPARTURES,
+        cost: "O(n + m log m) for m points not thrown away: about linear on average where few points are extreme, \
+               O(n log n) always",
+        task: planar_task!(PlanarHull, fast_2d::fast_2d),
     },
     Method {
         slug: "quickhull-balan",
@@ -53,5 +71,15 @@ pub const METHODS: &[Method] = &[
         departures: quickhull_3d::DEPARTURES,
         cost: "O(n^2); about linear on average where few points are extreme, O(n log n) on a sphere",
         task: spatial_task!(quickhull_3d::quickhull_3d),
+    },
+    Method {
+        slug: "fast-3d",
+        title: "Quickhull after discarding what is inside the hull of a sample",
+        citation: "C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull algorithm for convex hulls, ACM \
+                   Transactions on Mathematical Software 22(4), 469-483, 1996; K. L. Clarkson, P. W. Shor, Applications \
+                   of random sampling in computational geometry, II, Discrete & Computational Geometry 4, 387-421, 1989",
+        departures: fast_3d::DEPARTURES,
+        cost: "O(n) on average where few points are extreme, O(n log n) on a sphere, O(n^2) at worst",
+        task: spatial_task!(fast_3d::fast_3d),
     },
 ];

@@ -28,14 +28,14 @@
 //! 40 bytes a facet.
 //!
 //! **Memory.** What takes the time for many points is waiting for memory, so neighbours in space are kept together:
-//! facets are taken up region by region (`put_off`), the outside sets are slices of one vector, and the
+//! facets are taken up region by region (`crate::pending`), the outside sets are slices of one vector, and the
 //! points in them are copied in their order now and then (`regroup`).
 //!
 //! **Invariants.** In the terms of the perturbed kernel, for which no four distinct points are coplanar:
 //!
 //! 1. Before each step the surface is the hull of the vertices added so far.
 //! 2. Each point that is outside the surface is in exactly one outside set, that of a facet it is outside of.
-//! 3. `pending` and `later` hold every facet whose outside set is not empty; they may hold others.
+//! 3. `pending` holds every facet whose outside set is not empty; it may hold others.
 //! 4. Copies of a point are asked the same questions and go to the same set, in the order of their indices, where the
 //!    first is taken; it then coincides with a vertex, is outside of nothing, and all others are dropped.
 //!
@@ -50,12 +50,12 @@ mod sites;
 
 use crate::furthest::furthest;
 use crate::horizon::Horizon;
+use crate::pending::Pending;
 use geometry_core::dimension::AffineBasis;
 use geometry_core::mesh::{TriMesh, TriangleId};
 use geometry_core::{Hull3, HullError, Kernel3, Observer, Perturbed, Points, Step};
 use outside::OutsideSets;
 use sites::Sites;
-use std::collections::VecDeque;
 
 /// Where this file departs from the paper, and why.
 pub const DEPARTURES: &[&str] = &[
@@ -115,13 +115,6 @@ pub fn quickhull_3d<K: Kernel3, O: Observer>(
     Ok(Hull3::from_mesh(points, &quickhull.mesh, kernel))
 }
 
-/// Where more than twice as many facets are waiting, all but so many are left for later. Facets that follow one
-/// another in the order of their making are neighbours, so those kept form a region; with their points they
-/// should fit a cache of a megabyte. Much smaller regions cost questions along their borders: on a million points of a
-/// sphere 6 % more than no regions at 1024, 57 % more at 16. Taking up the last facet made instead, on a
-/// million points in a ball, would cost three times as many.
-const REGION: usize = 1024;
-
 /// With so many facets, and whenever there are four times as many as the last time, the points left are copied in the
 /// order of the outside sets. It takes a quarter off the time for a million points, in a ball and on a sphere.
 const FEW: usize = 16;
@@ -134,10 +127,7 @@ struct Quickhull<'a, K, O> {
     /// The points still outside. The sets, the pool and what is found in it hold places in it, the mesh ids.
     sites: Sites<'a>,
     outside: OutsideSets,
-    /// Facets of the region at work to take up, the first one first.
-    pending: VecDeque<TriangleId>,
-    /// Facets of the regions left for later, the last region first.
-    later: Vec<VecDeque<TriangleId>>,
+    pending: Pending,
     horizon: Horizon,
     /// The facets made by the step under way.
     made: Vec<TriangleId>,
@@ -164,8 +154,7 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
             mesh,
             sites: Sites::of(points),
             outside: OutsideSets::default(),
-            pending: VecDeque::new(),
-            later: Vec::new(),
+            pending: Pending::default(),
             horizon: Horizon::default(),
             pool: points.ids().filter(|id| !simplex.contains(id)).collect(),
             found: vec![0; points.len()],
@@ -177,10 +166,7 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
     /// A facet with a point outside, and the place of the furthest such point.
     fn next_apex(&mut self) -> Option<(TriangleId, u32)> {
         loop {
-            let Some(facet) = self.pending.pop_front() else {
-                self.pending = self.later.pop()?;
-                continue;
-            };
+            let facet = self.pending.next()?;
             if let Some(apex) = self.outside.furthest(facet) {
                 return Some((facet, apex));
             }
@@ -257,15 +243,7 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
             self.outside.put(facet, found, apex);
             let stored = self.outside.stored();
             self.observer.step(|| Step::Storage(stored as u32));
-            self.put_off(facet);
-        }
-    }
-
-    /// Puts a facet with points outside behind those that are waiting.
-    fn put_off(&mut self, facet: TriangleId) {
-        self.pending.push_back(facet);
-        if self.pending.len() > 2 * REGION {
-            self.later.push(self.pending.split_off(REGION));
+            self.pending.put_off(facet);
         }
     }
 

@@ -13,6 +13,11 @@ fn eddy() {
 }
 
 #[test]
+fn fast_2d() {
+    hull_verify::conformance::planar_hull(method("fast-2d"));
+}
+
+#[test]
 fn quickhull_balan() {
     hull_verify::conformance::spatial_hull(method("quickhull-balan"));
 }
@@ -20,4 +25,9 @@ fn quickhull_balan() {
 #[test]
 fn quickhull_3d() {
     hull_verify::conformance::spatial_hull(method("quickhull-3d"));
+}
+
+#[test]
+fn fast_3d() {
+    hull_verify::conformance::spatial_hull(method("fast-3d"));
 }

@@ -11,7 +11,7 @@ use crate::sign::Sign;
 
 /// Bounds the error of the determinant relative to the sum of its two products: each product is of two
 /// rounded differences and rounded itself, and so is the final difference (Shewchuk's bound A).
-const FILTER: f64 = (3.0 + 16.0 * ROUNDING) * ROUNDING;
+pub(super) const FILTER: f64 = (3.0 + 16.0 * ROUNDING) * ROUNDING;
 
 /// The same when only the differences are rounded (bound B).
 const ROUNDED_DIFFERENCES: f64 = (2.0 + 12.0 * ROUNDING) * ROUNDING;

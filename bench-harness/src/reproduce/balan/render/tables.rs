@@ -20,7 +20,7 @@ use anyhow::Result;
 const COUNTS: &str = "\
 Means over the sets of a cell, exact integers each. *Orientations* are all questions on which side of a plane a point
 lies, set-up and the merging of coplanar facets included; *plane tests* are those of the search alone, which is without
-three for each triangle at the end. *Facets made* and *dropped* are triangles. h vertices and F facets are those of the
+one for each edge at the end. *Facets made* and *dropped* are triangles. h vertices and F facets are those of the
 certified hull, coplanar triangles merged. Every result was certified first.
 
 ";

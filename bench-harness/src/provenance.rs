@@ -1,5 +1,7 @@
-//! What a reader needs to run a report again: the head of every file.
+//! What a reader needs to judge a run and to run it again: the head of every file, the manifest of a run.
 
+use crate::records::Manifest;
+use crate::records::manifest::Cache;
 use std::fs;
 use std::process::Command;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -48,40 +50,92 @@ impl Provenance {
     }
 }
 
-fn commit() -> String {
-    let hash = output("git", &["rev-parse", "HEAD"]);
-    // A report being regenerated is a change too, so only the sources count.
-    let status = output(
-        "git",
-        &[
-            "status",
-            "--porcelain",
-            "--untracked-files=no",
-            "--",
-            ".",
-            ":!reports",
-        ],
-    );
-    match (hash.as_str(), status.as_str()) {
-        ("unknown", _) => hash,
-        (_, "") => hash,
-        _ => format!("{hash} with uncommitted changes"),
+/// The manifest of a run that starts now.
+pub(crate) fn manifest(command: &str) -> Manifest {
+    let cpu = "/sys/devices/system/cpu/cpu0";
+    let governor = fs::read_to_string(format!("{cpu}/cpufreq/scaling_governor"));
+    let kilobytes = field("/proc/meminfo", "MemTotal");
+    let kilobytes = kilobytes.split_whitespace().next();
+    Manifest {
+        commit: output("git", &["rev-parse", "HEAD"]),
+        dirty: is_changed(),
+        compiler: output("rustc", &["--version"]),
+        flags: format!("{}, {}", build(), std::env::consts::ARCH),
+        processor: processor(),
+        cores: std::thread::available_parallelism().map_or(0, usize::from),
+        memory: 1024
+            * kilobytes
+                .and_then(|text| text.parse::<u64>().ok())
+                .unwrap_or(0),
+        caches: caches(&format!("{cpu}/cache")),
+        kernel: first_line("/proc/sys/kernel/osrelease"),
+        governor: governor.ok().map(|text| text.trim().to_owned()),
+        load_before: load(),
+        load_after: None,
+        command: command.to_owned(),
+        started: now(),
+        definitions: Vec::new(),
+        engines: Vec::new(),
     }
 }
 
+/// The load averages over 1, 5 and 15 minutes.
+pub(crate) fn load() -> Option<[f64; 3]> {
+    let line = first_line("/proc/loadavg");
+    let mut numbers = line.split_whitespace().map_while(|word| word.parse().ok());
+    Some([numbers.next()?, numbers.next()?, numbers.next()?])
+}
+
+/// The data caches below `folder`, the smallest first.
+fn caches(folder: &str) -> Vec<Cache> {
+    let read = |name: String| fs::read_to_string(format!("{folder}/{name}"));
+    let cache = |number: u32| {
+        let part = |name: &str| read(format!("index{number}/{name}")).ok();
+        let size = part("size")?;
+        let bytes = match size.trim().split_at_checked(size.trim().len() - 1)? {
+            (number, "K") => 1024 * number.parse::<u64>().ok()?,
+            (number, "M") => 1024 * 1024 * number.parse::<u64>().ok()?,
+            _ => return None,
+        };
+        let level = part("level")?.trim().parse().ok()?;
+        (part("type")?.trim() != "Instruction").then_some(Cache { level, bytes })
+    };
+    (0..8).filter_map(cache).collect()
+}
+
+fn commit() -> String {
+    let hash = output("git", &["rev-parse", "HEAD"]);
+    if hash != "unknown" && is_changed() {
+        format!("{hash} with uncommitted changes")
+    } else {
+        hash
+    }
+}
+
+/// Whether the sources differ from the commit. A report being regenerated is a change too, so only the sources count.
+fn is_changed() -> bool {
+    let arguments = [
+        "status",
+        "--porcelain",
+        "--untracked-files=no",
+        "--",
+        ".",
+        ":!reports",
+    ];
+    !matches!(output("git", &arguments).as_str(), "" | "unknown")
+}
+
 fn machine() -> String {
-    let cpu = field("/proc/cpuinfo", "model name");
-    let model = format!(
-        "family {} model {}",
-        field("/proc/cpuinfo", "cpu family"),
-        field("/proc/cpuinfo", "model\t")
-    );
     let cores = std::thread::available_parallelism().map_or(0, usize::from);
     let memory = field("/proc/meminfo", "MemTotal");
-    format!(
-        "{cpu}, {model}, {cores} cores, {memory} memory, {}",
-        std::env::consts::ARCH
-    )
+    let (processor, architecture) = (processor(), std::env::consts::ARCH);
+    format!("{processor}, {cores} cores, {memory} memory, {architecture}")
+}
+
+fn processor() -> String {
+    let [name, family, model] =
+        ["model name", "cpu family", "model\t"].map(|key| field("/proc/cpuinfo", key));
+    format!("{name}, family {family} model {model}")
 }
 
 fn build() -> &'static str {

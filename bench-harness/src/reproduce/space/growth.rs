@@ -1,15 +1,98 @@
-//! Parts about growth with n: an exponent that should have a value, a bound that should hold, n log n.
+//! Growth with n: the data of counted runs, their exponent, and what is said of it: that it has a value, that a bound
+//! holds, that a cost is O(n log n).
 
-use super::{Outcome, Part};
-use crate::reproduce::balan::derived::{exponent, groups, upper_decades};
+use super::rows::CountRow;
+use crate::reproduce::verdict::{Outcome, Part};
 use crate::stats::interval::{Place, equivalence};
+use crate::stats::line::{Line, fit_log_log};
 use crate::stats::summary::{deviation, mean};
+use std::collections::BTreeMap;
+
+/// n and `quantity` of each run.
+pub(crate) fn against_n<'a>(
+    runs: impl Iterator<Item = &'a CountRow>,
+    quantity: impl Fn(&CountRow) -> f64,
+) -> Vec<(f64, f64)> {
+    runs.map(|row| (row.n as f64, quantity(row))).collect()
+}
+
+/// The values of each n, by n.
+pub(crate) fn groups(data: &[(f64, f64)]) -> Vec<(f64, Vec<f64>)> {
+    let mut groups: BTreeMap<u64, Vec<f64>> = BTreeMap::new();
+    for &(n, value) in data {
+        groups.entry(n as u64).or_default().push(value);
+    }
+    groups
+        .into_iter()
+        .map(|(n, values)| (n as f64, values))
+        .collect()
+}
+
+/// The mean of the values of each n.
+pub(crate) fn means(data: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    groups(data)
+        .into_iter()
+        .map(|(n, values)| (n, mean(&values)))
+        .collect()
+}
+
+/// The mean at the largest n.
+pub(crate) fn at_largest(data: &[(f64, f64)]) -> Option<(f64, f64)> {
+    means(data).last().copied()
+}
+
+/// The data of the two upper decades of n: where an asymptotic statement is to be looked for.
+pub(crate) fn upper_decades(data: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let largest = data.iter().map(|(n, _)| *n).fold(0.0, f64::max);
+    data.iter()
+        .copied()
+        .filter(|(n, _)| 100.5 * n >= largest)
+        .collect()
+}
+
+/// "n from … to …", for the sizes in `data`.
+pub(crate) fn range(data: &[(f64, f64)]) -> String {
+    let least = data.iter().map(|(n, _)| *n).fold(f64::INFINITY, f64::min);
+    let most = data.iter().map(|(n, _)| *n).fold(0.0, f64::max);
+    format!("n from {least} to {most}")
+}
+
+/// The exponent of growth over the two upper decades, with its interval at 90 %.
+#[derive(Clone, Debug)]
+pub(crate) struct Exponent {
+    pub(crate) value: f64,
+    pub(crate) interval: (f64, f64),
+    /// The sizes it was fitted on.
+    pub(crate) range: String,
+}
+
+impl std::fmt::Display for Exponent {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (low, high) = self.interval;
+        write!(
+            f,
+            "{:.3}, 90 % [{low:.3}, {high:.3}], {}",
+            self.value, self.range
+        )
+    }
+}
+
+/// The exponent of `data` in n; `None` for less than two sizes or three runs.
+pub(crate) fn exponent(data: &[(f64, f64)]) -> Option<Exponent> {
+    let data = upper_decades(data);
+    let line: Line = fit_log_log(&data)?;
+    Some(Exponent {
+        value: line.slope,
+        interval: line.slope_interval(0.90),
+        range: range(&data),
+    })
+}
 
 /// What it takes to fit an exponent.
 const TOO_FEW: &str = "not counted at two sizes or more";
 
 /// Whether `data` grows as n to the `target`, give or take `margin` (two one-sided tests at 5 %).
-pub(super) fn grows_as(
+pub(crate) fn grows_as(
     what: impl Into<String>,
     data: &[(f64, f64)],
     target: f64,
@@ -29,7 +112,7 @@ pub(super) fn grows_as(
 
 /// Whether `data`, a cost over its bound, does not rise: exponent at most `margin`. A bound is not refuted by lying
 /// far above.
-pub(super) fn does_not_rise(what: impl Into<String>, data: &[(f64, f64)], margin: f64) -> Part {
+pub(crate) fn does_not_rise(what: impl Into<String>, data: &[(f64, f64)], margin: f64) -> Part {
     let Some(exponent) = exponent(data) else {
         return Part::new(what, Outcome::NotTestable, TOO_FEW);
     };
@@ -53,7 +136,7 @@ pub(super) fn does_not_rise(what: impl Into<String>, data: &[(f64, f64)], margin
 /// It is if the cost over n log n does not rise. If it rises, a term in n with a negative factor may be the reason: then
 /// the cost a point still grows by no more for one unit of ln n at the large sizes than at the small ones, while for
 /// n log² n it would grow by as much more as ln n is larger.
-pub(super) fn is_n_log_n(what: impl Into<String>, data: &[(f64, f64)]) -> Part {
+pub(crate) fn is_n_log_n(what: impl Into<String>, data: &[(f64, f64)]) -> Part {
     let over: Vec<(f64, f64)> = data.iter().map(|(n, y)| (*n, y / (n * n.ln()))).collect();
     let simple = does_not_rise(what, &over, 0.05);
     if matches!(simple.outcome, Outcome::Confirmed | Outcome::NotTestable) {

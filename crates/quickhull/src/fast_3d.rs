@@ -1,0 +1,181 @@
+//! The fastest exact hull in space where few points are extreme.
+//!
+//! **Idea.** Nearly all points lie deep inside, and finding that out must cost next to nothing. The hull of a sample
+//! is known soon, and what is certainly inside that one is not extreme. After B. Barber, D. Dobkin, H. Huhdanpaa, "The
+//! Quickhull algorithm for convex hulls", *ACM TOMS* 22(4), 1996; the hull of a sample as a filter is that of
+//! K. L. Clarkson, P. W. Shor, "Applications of random sampling in computational geometry, II", *Discrete &
+//! Computational Geometry* 4, 1989.
+//!
+//! **Essence.**
+//!
+//! 1. Find the hull of a sample, in the same way.
+//! 2. From a centre in it, map directions to how far that hull certainly reaches ([`directions`]). One look-up and one product
+//!    discard a point.
+//! 3. Run quickhull on the points left, with a rounded height and a proved bound for each facet ([`plane`]), the
+//!    points moved in memory and not chased ([`sets`]), and points in the plane of a facet counted as inside ([`surface`]).
+//! 4. Merge coplanar triangles, exactly, and drop corners that are not extreme.
+//!
+//! **Bound.** Of n points, a share of h(m)/m lies outside the hull of a sample of m, where h(m) is the number of extreme
+//! points of such a sample (Efron 1965). The map is O(n) with a constant that does not depend on the hull. Where h(m) grows
+//! slower than m, all is O(n) on average. Space: the points left, twice, and 150 bytes a facet.
+//!
+//! **Exactness.** A rounded answer is used only where it is proved right. All others come from the kernel, which is also
+//! asked about the first tetrahedron and when facets are merged.
+//!
+//! **Departures.** See [`DEPARTURES`].
+//!
+//! **When not to use it.** Where all points are extreme (a sphere, a paraboloid, a curve) nothing is discarded, and quickhull
+//! asks O(log n) questions a point about facets all over memory: use `incremental`'s engine for such points. The map looks from
+//! one centre, so it is blunt for a set a million times longer than wide, and not used for one 2²⁸ times as far from
+//! the origin as wide; the answer is right all the same.
+
+mod core;
+mod directions;
+mod left;
+mod plane;
+mod renumbered;
+mod sets;
+mod simplex;
+mod surface;
+
+use directions::DirectionMap;
+use geometry_core::{Hull3, HullError, Kernel3, Observer, Points};
+use left::Left;
+use renumbered::Renumbered;
+use surface::{Surface, surface};
+
+/// Where this method departs from the published one, and why.
+pub const DEPARTURES: &[&str] = &[
+    "answers that rounded arithmetic is proved to give right are not asked of the kernel, so a kernel is only asked the \
+     others; Step::Visit tells each test of a point against a plane or the map",
+    "points inside the hull of a sample are discarded first",
+    "the furthest point is chosen by a rounded height: any point outside will do",
+    "a point in the plane of a facet counts as inside it; exactly coplanar facets are merged at the end",
+];
+
+/// The convex hull of points of which few are extreme.
+///
+/// # Errors
+///
+/// [`HullError::Contradiction`] only with a kernel that is not exact.
+///
+/// # Cost
+///
+/// O(n) on average where few points are extreme, O(n log n) on a sphere, O(n²) at worst. Space: O(n) at worst, as many as
+/// are left after the discards on average.
+///
+/// # Example
+///
+/// ```
+/// use geometry_core::{Exact, Points, Silent};
+///
+/// let lattice: Vec<[f64; 3]> = (0..1000).map(|i| [i % 10, i / 10 % 10, i / 100].map(f64::from)).collect();
+/// let hull = quickhull::fast_3d(Points::new(&lattice)?, &Exact, &mut Silent)?;
+/// assert_eq!(hull.vertices(), [0, 9, 90, 99, 900, 909, 990, 999]);
+/// assert_eq!(hull.facets().count(), 6);
+/// # Ok::<(), geometry_core::HullError>(())
+/// ```
+pub fn fast_3d<K: Kernel3, O: Observer>(
+    points: Points<'_, 3>,
+    kernel: &K,
+    observer: &mut O,
+) -> Result<Hull3, HullError> {
+    let Some(map) = map_of_sample(points, None, kernel, observer)? else {
+        let mut observer = Renumbered {
+            observer,
+            ids: None,
+        };
+        return Ok(match surface(points, kernel, &mut observer)? {
+            Surface::Flat(hull) => hull,
+            Surface::Solid(mesh) => Hull3::from_mesh(points, &mesh, kernel),
+        });
+    };
+    let left = Left::of(points.as_slice(), 0, &map, observer);
+    hull_of_left(&left, kernel, observer)
+}
+
+/// Steps 3 and 4.
+fn hull_of_left<K: Kernel3, O: Observer>(
+    left: &Left,
+    kernel: &K,
+    observer: &mut O,
+) -> Result<Hull3, HullError> {
+    let points = Points::new(&left.points)?;
+    let mut observer = Renumbered {
+        observer,
+        ids: Some(&left.ids),
+    };
+    let hull = match surface(points, kernel, &mut observer)? {
+        Surface::Flat(hull) => hull,
+        Surface::Solid(mesh) => Hull3::from_mesh(points, &mesh, kernel),
+    };
+    Ok(hull.renumbered(&left.ids))
+}
+
+/// With fewer points than this, a sample does not pay.
+const FEW: usize = 4096;
+
+/// Steps 1 and 2: none if the points are few, or if nothing would be discarded.
+///
+/// `ids` are the caller's indices of the points, if these are only some of the caller's.
+fn map_of_sample<K: Kernel3, O: Observer>(
+    points: Points<'_, 3>,
+    ids: Option<&[u32]>,
+    kernel: &K,
+    observer: &mut O,
+) -> Result<Option<DirectionMap>, HullError> {
+    if points.len() < FEW {
+        return Ok(None);
+    }
+    let mut sample = Left::sample(points, sample_size(points.len()));
+    if let Some(ids) = ids {
+        sample.ids.iter_mut().for_each(|id| *id = ids[*id as usize]);
+    }
+    let of_sample = Points::new(&sample.points)?;
+    let map = map_of_sample(of_sample, Some(&sample.ids), kernel, observer)?;
+    let left = map.map(|map| {
+        let mut left = Left::of(&sample.points, 0, &map, observer);
+        left.ids
+            .iter_mut()
+            .for_each(|id| *id = sample.ids[*id as usize]);
+        left
+    });
+    let left = left.as_ref().unwrap_or(&sample);
+    let points_left = Points::new(&left.points)?;
+    let mut observer = Renumbered {
+        observer,
+        ids: Some(&left.ids),
+    };
+    let Surface::Solid(mesh) = surface(points_left, kernel, &mut observer)? else {
+        return Ok(None);
+    };
+    // About two triangles a corner.
+    if mesh.len() > sample.points.len() {
+        return Ok(None);
+    }
+    let side = cells_to_a_side(points.len());
+    Ok(DirectionMap::of(points_left, &mesh, side, &sample.points))
+}
+
+/// The size of the sample of n points.
+fn sample_size(n: usize) -> usize {
+    let factor: f64 = std::env::var("SF")
+        .ok()
+        .and_then(|s| s.parse().ok())
+        .unwrap_or(8.0);
+    ((n as f64).sqrt() * factor) as usize
+}
+
+/// How many cells to the side of a face of the cube.
+fn cells_to_a_side(n: usize) -> usize {
+    if let Some(k) = std::env::var("KK").ok().and_then(|s| s.parse().ok()) {
+        return k;
+    }
+    if n < 1 << 15 {
+        8
+    } else if n < 1 << 18 {
+        16
+    } else {
+        32
+    }
+}

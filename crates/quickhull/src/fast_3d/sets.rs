@@ -1,0 +1,117 @@
+//! The outside sets of all facets, the points themselves and not their numbers, in one vector.
+//!
+//! A set is a stretch of `sites`. A set made anew goes to the end; one taken away leaves a gap. When there is no more
+//! room at the end, all sets are moved together, and if that does not free half of the vector, it grows.
+//!
+//! ```text
+//!     sites   | facet 0 |  gap  | facet 7 | facet 8 |  gap  | facet 3 | room |
+//!                                                                     ^ end
+//! ```
+//!
+//! Invariant: the sets are disjoint, all before `end`, and `live` is the sum of their lengths.
+
+use geometry_core::Point3;
+use geometry_core::mesh::TriangleId;
+
+/// A point and its index.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Site {
+    pub(super) at: Point3,
+    pub(super) id: u32,
+}
+
+/// The set of one facet: `sites[start..start + len]`, and which of them is furthest.
+#[derive(Clone, Copy, Debug, Default)]
+struct Set {
+    start: usize,
+    len: u32,
+    furthest: u32,
+}
+
+/// The outside sets of the facets of a surface, by facet.
+#[derive(Debug, Default)]
+pub(super) struct OutsideSets {
+    sites: Vec<Site>,
+    sets: Vec<Set>,
+    end: usize,
+    live: usize,
+    /// The other vector for moving the sets together.
+    moved: Vec<Site>,
+}
+
+impl OutsideSets {
+    /// Room for a new set of up to `len` points, to be written and then claimed by [`put`](Self::put).
+    pub(super) fn room(&mut self, len: usize) -> &mut [Site] {
+        if self.end + len > self.sites.len() {
+            self.make_room(len);
+        }
+        &mut self.sites[self.end..]
+    }
+
+    /// Makes the first `len` points written to the room, at least one, the set of `facet`, which has none.
+    pub(super) fn put(&mut self, facet: TriangleId, len: usize, furthest: usize) {
+        let slot = facet.0 as usize;
+        if slot >= self.sets.len() {
+            self.sets.resize(slot + 1, Set::default());
+        }
+        self.sets[slot] = Set {
+            start: self.end,
+            len: len as u32,
+            furthest: furthest as u32,
+        };
+        self.end += len;
+        self.live += len;
+    }
+
+    /// The furthest point of the set of `facet`, unless it is empty.
+    pub(super) fn furthest(&self, facet: TriangleId) -> Option<Site> {
+        let set = self.sets.get(facet.0 as usize)?;
+        (set.len > 0).then(|| self.sites[set.start + set.furthest as usize])
+    }
+
+    /// Takes the set of `facet` away and gives its points to `pool`, but not the copies of `apex`.
+    pub(super) fn take(&mut self, facet: TriangleId, apex: Point3, pool: &mut Vec<Site>) {
+        let Some(set) = self.sets.get_mut(facet.0 as usize) else {
+            return;
+        };
+        let Set { start, len, .. } = std::mem::take(set);
+        let end = start + len as usize;
+        if len == 0 {
+            return;
+        }
+        pool.extend(self.sites[start..end].iter().filter(|site| site.at != apex));
+        self.live -= len as usize;
+        if end == self.end {
+            self.end = start;
+        }
+    }
+
+    /// How many points can be stored.
+    pub(super) fn stored(&self) -> usize {
+        self.sites.len()
+    }
+
+    #[cold]
+    fn make_room(&mut self, len: usize) {
+        let needed = self.live + len;
+        if 2 * needed > self.sites.len() {
+            self.moved = Vec::new();
+            self.moved.reserve_exact(2 * needed);
+        }
+        let room = self.sites.len().max(2 * needed);
+        self.moved.clear();
+        for set in &mut self.sets {
+            let start = self.moved.len();
+            self.moved
+                .extend_from_slice(&self.sites[set.start..set.start + set.len as usize]);
+            set.start = start;
+        }
+        self.end = self.moved.len();
+        self.moved.resize(room, Site::default());
+        std::mem::swap(&mut self.sites, &mut self.moved);
+        self.moved.clear();
+        if self.moved.capacity() < room {
+            self.moved = Vec::new();
+        }
+    }
+}

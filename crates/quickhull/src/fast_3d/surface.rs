@@ -1,0 +1,255 @@
+//! Quickhull on the points left, with the points of each outside set side by side in memory.
+//!
+//! As in [`quickhull_3d`](crate::quickhull_3d()), with two differences:
+//!
+//! * The points themselves are moved from set to set, so a partition streams through memory, and the
+//!   side of a point comes from the facet's [`Plane`] unless that is unsure.
+//! * A point in the plane of a facet counts as *not* outside it, where the other asks a perturbed kernel.
+//!
+//! # Why a point in the plane may count as inside
+//!
+//! Let the points be inserted in the order p₁, p₂, …, and let c be a point strictly inside the first tetrahedron. Move pₖ
+//! towards c by δₖ, where 0 < δ₁ ≪ δ₂ ≪ …, each far more than all before it, and each point that is never inserted
+//! by far more than these. Then no four points are coplanar, and a point that lies in the plane of a facet of inserted points
+//! has moved below it. So the answers are those of points in general position, and all that is known of quickhull
+//! there holds: the facets that a point sees are one region with one rim, and a point outside the new surface is
+//! outside of a new facet. Letting all δ go to 0 gives back the points as they are:
+//!
+//! 1. The surface is that of a convex polyhedron, the hull of the points inserted, but neighbouring triangles may be coplanar
+//!    and a corner need not be extreme.
+//! 2. No triangle is flat: a point on the line of an edge of the rim is in the plane of the visible facet there, and
+//!    does not see it.
+//! 3. At the end no point is strictly outside of a facet.
+//!
+//! [`Hull3::from_mesh`](geometry_core::Hull3::from_mesh) merges the coplanar triangles and drops the corners that
+//! are not extreme. That thousands of points in one plane are not inserted but dropped at once is what makes lattices and the faces
+//! of a cube as fast as other points.
+
+use super::plane::{Plane, Side, Span};
+use super::sets::{OutsideSets, Site};
+use super::simplex;
+use crate::horizon::Horizon;
+use crate::pending::Pending;
+use geometry_core::dimension::AffineBasis;
+use geometry_core::mesh::{TriMesh, TriangleId};
+use geometry_core::{Hull3, HullError, Kernel3, Observer, Point3, Points, Step};
+
+/// The hull of points, before its facets are merged.
+pub(super) enum Surface {
+    /// The points do not span space, and this is their hull.
+    Flat(Hull3),
+    /// A triangulated surface (invariants 1 to 3).
+    Solid(TriMesh),
+}
+
+/// Finds the surface of `points`.
+///
+/// # Errors
+///
+/// [`HullError::Contradiction`], only with a kernel that is not exact.
+pub(super) fn surface<K: Kernel3, O: Observer>(
+    points: Points<'_, 3>,
+    kernel: &K,
+    observer: &mut O,
+) -> Result<Surface, HullError> {
+    if points.is_empty() {
+        return Ok(Surface::Flat(Hull3::Empty));
+    }
+    let span = Span::of(points.as_slice());
+    let spread = simplex::spread(points.as_slice(), kernel, &span);
+    let simplex = match spread {
+        Some(simplex) => simplex,
+        None => match AffineBasis::of(points, kernel).flat_hull(points, kernel) {
+            Ok(flat) => return Ok(Surface::Flat(flat)),
+            Err(basis) => basis,
+        },
+    };
+    let mut quickhull = Quickhull::of_simplex(points, kernel, observer, span, simplex);
+    while let Some((facet, apex)) = quickhull.next_apex() {
+        quickhull.add(facet, apex)?;
+    }
+    Ok(Surface::Solid(quickhull.mesh))
+}
+
+struct Quickhull<'a, K, O> {
+    points: Points<'a, 3>,
+    kernel: &'a K,
+    observer: &'a mut O,
+    span: Span,
+    mesh: TriMesh,
+    /// The plane of each facet, by facet.
+    planes: Vec<Plane>,
+    outside: OutsideSets,
+    pending: Pending,
+    horizon: Horizon,
+    /// The facets made by the step under way.
+    made: Vec<TriangleId>,
+    /// The points to partition.
+    pool: Vec<Site>,
+}
+
+impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
+    fn of_simplex(
+        points: Points<'a, 3>,
+        kernel: &'a K,
+        observer: &'a mut O,
+        span: Span,
+        simplex: [u32; 4],
+    ) -> Self {
+        let mesh = TriMesh::tetrahedron(simplex);
+        let corners = simplex.map(|id| points[id]);
+        let all = points.as_slice().iter().zip(points.ids());
+        let others = all.filter(|(at, _)| !corners.contains(at));
+        let mut pool = Vec::with_capacity(points.len());
+        pool.extend(others.map(|(&at, id)| Site { at, id }));
+        let mut quickhull = Self {
+            points,
+            kernel,
+            observer,
+            span,
+            made: mesh.triangles().collect(),
+            mesh,
+            planes: Vec::new(),
+            outside: OutsideSets::default(),
+            pending: Pending::default(),
+            horizon: Horizon::default(),
+            pool,
+        };
+        quickhull.partition();
+        quickhull
+    }
+
+    /// A facet with a point outside, and the furthest such point.
+    fn next_apex(&mut self) -> Option<(TriangleId, Site)> {
+        loop {
+            let facet = self.pending.next()?;
+            if let Some(apex) = self.outside.furthest(facet) {
+                return Some((facet, apex));
+            }
+        }
+    }
+
+    /// Adds `apex`, which is outside `facet`, to the surface.
+    fn add(&mut self, facet: TriangleId, apex: Site) -> Result<(), HullError> {
+        self.observer.step(|| Step::Apex(apex.id));
+        self.find_horizon(facet, apex.at)?;
+        self.pool.clear();
+        for &facet in &self.horizon.visible {
+            let [a, b, c] = self.mesh.corners(facet);
+            self.observer.step(|| Step::Drop(a, b, c));
+            self.outside.take(facet, apex.at, &mut self.pool);
+            self.mesh.remove(facet);
+        }
+        self.mesh.close(&self.horizon.rim, apex.id, &mut self.made);
+        self.observer.step(|| Step::Insert(apex.id));
+        self.partition();
+        Ok(())
+    }
+
+    fn find_horizon(&mut self, start: TriangleId, p: Point3) -> Result<(), HullError> {
+        let (points, kernel, mesh, planes) = (self.points, self.kernel, &self.mesh, &self.planes);
+        self.horizon.search(mesh, start, |facet| {
+            let plane = &planes[facet.0 as usize];
+            match plane.side(plane.height(p)) {
+                Side::Outside => true,
+                Side::Within => false,
+                Side::Unsure => is_outside(points, kernel, mesh.corners(facet), p),
+            }
+        })
+    }
+
+    /// Gives each point of the pool to the first facet made that it is outside of, and drops the others.
+    fn partition(&mut self) {
+        let made = std::mem::take(&mut self.made);
+        self.planes.resize(self.mesh.slots(), Plane::NONE);
+        for &facet in &made {
+            let corners = self.mesh.corners(facet);
+            let [a, b, c] = corners;
+            self.observer.step(|| Step::Facet(a, b, c));
+            self.planes[facet.0 as usize] =
+                Plane::through(corners.map(|id| self.points[id]), &self.span);
+        }
+        for &facet in &made {
+            if self.pool.is_empty() {
+                break;
+            }
+            self.claim(facet);
+        }
+        for site in &self.pool {
+            self.observer.step(|| Step::Discard(site.id));
+        }
+        self.made = made;
+    }
+
+    /// Moves the points of the pool that are outside `facet` to its outside set.
+    ///
+    /// Which side a point is on decides no branch: the processor could not foresee it.
+    fn claim(&mut self, facet: TriangleId) {
+        let corners = self.mesh.corners(facet);
+        let plane = self.planes[facet.0 as usize];
+        let room = self.outside.room(self.pool.len());
+        let (mut outside, mut rest) = (0, 0);
+        let mut furthest = Furthest::default();
+        for place in 0..self.pool.len() {
+            let site = self.pool[place];
+            self.observer.step(|| Step::Visit(site.id));
+            let height = plane.height(site.at);
+            let side = plane.side(height);
+            let mut is_out = side == Side::Outside;
+            if side == Side::Unsure {
+                is_out = is_outside(self.points, self.kernel, corners, site.at);
+            }
+            room[outside] = site;
+            self.pool[rest] = site;
+            if is_out && height >= furthest.height {
+                furthest.take(outside, height, site.at);
+            }
+            outside += usize::from(is_out);
+            rest += usize::from(!is_out);
+        }
+        self.pool.truncate(rest);
+        if outside > 0 {
+            self.outside.put(facet, outside, furthest.place);
+            let stored = self.outside.stored();
+            self.observer.step(|| Step::Storage(stored as u32));
+            self.pending.put_off(facet);
+        }
+    }
+}
+
+/// Whether the kernel finds p outside the facet with these corners. A corner is not, and its copies are common.
+#[cold]
+#[inline(never)]
+fn is_outside<K: Kernel3>(points: Points<'_, 3>, kernel: &K, corners: [u32; 3], p: Point3) -> bool {
+    let [a, b, c] = corners.map(|id| points[id]);
+    p != a && p != b && p != c && kernel.orient3(a, b, c, p).is_positive()
+}
+
+/// The furthest of the points of a set so far, by rounded height: any point outside will do for an apex.
+///
+/// Of equal heights the lexicographically largest is taken, which is more often extreme, and of its copies the first,
+/// because the others are dropped. Copies are in the order of their indices in every set, as they always go together.
+struct Furthest {
+    place: usize,
+    height: f64,
+    at: Point3,
+}
+
+impl Default for Furthest {
+    fn default() -> Self {
+        Self {
+            place: 0,
+            height: f64::NEG_INFINITY,
+            at: [f64::NEG_INFINITY; 3],
+        }
+    }
+}
+
+impl Furthest {
+    #[inline]
+    fn take(&mut self, place: usize, height: f64, at: Point3) {
+        if height > self.height || at > self.at {
+            *self = Self { place, height, at };
+        }
+    }
+}
