@@ -6,7 +6,7 @@
 //! | [`wilson`] | between which proportions does k of n leave the truth |
 //! | [`bootstrap`] | how far would a median move with other realisations |
 //! | [`kendall`] | how alike are two orders |
-//! | [`line`] | slope of a weighted line, and its interval |
+//! | [`mod@line`] | slope of a weighted line, and its interval |
 //! | `logistic` | where does a share of successes fall to a half |
 //! | `models` | which laws of growth may a cost follow |
 //! | [`interval`] | what an interval says about a target or a bound |
