@@ -43,6 +43,8 @@ mod order;
 mod parallel;
 mod polygon;
 mod region;
+#[cfg(test)]
+mod tests;
 mod throw_away;
 
 use cascade::Cascade;
