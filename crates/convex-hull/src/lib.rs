@@ -73,6 +73,31 @@ pub fn convex_hull_2d_with(points: &[[f64; 2]], boundary: Boundary) -> Result<Hu
     quickhull::convex_hull(points, boundary)
 }
 
+/// [`convex_hull_2d_with`] on several processors, as many as the current rayon thread pool has. The same result.
+///
+/// # Errors
+///
+/// As [`convex_hull_2d`].
+///
+/// # Cost
+///
+/// The work of [`convex_hull_2d`], most of it shared if few points are extreme. Below some 10⁵ points there is nothing
+/// to gain.
+///
+/// ```
+/// use hullkit::Boundary;
+/// let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [2.0, 2.0], [0.0, 2.0]];
+/// let hull = hullkit::convex_hull_2d_parallel(&points, Boundary::Extreme)?;
+/// assert_eq!(hull, hullkit::convex_hull_2d(&points)?);
+/// # Ok::<(), hullkit::HullError>(())
+/// ```
+pub fn convex_hull_2d_parallel(
+    points: &[[f64; 2]],
+    boundary: Boundary,
+) -> Result<Hull2, HullError> {
+    quickhull::convex_hull_parallel(points, boundary)
+}
+
 /// The convex layers of `points`, outermost first.
 ///
 /// # Errors

@@ -73,8 +73,8 @@ impl Cascade {
         true
     }
 
-    /// Adds the core, if a quarter of the sample lies in it. If more than half does, the polygons but for the last have
-    /// nothing left to do.
+    /// Adds the core, if a quarter of the sample lies in it. If more than half does, the first polygon has little left
+    /// to do.
     fn add_core(&mut self, sample: &[Point2]) {
         let Some(polygon) = self.polygons.last() else {
             return;
@@ -91,9 +91,8 @@ impl Cascade {
             return;
         };
         let tried = sample.len().min(1024);
-        if left <= tried / 2 {
-            let last = self.polygons.len() - 1;
-            self.polygons.drain(..last);
+        if left <= tried / 2 && self.polygons.len() > 1 {
+            self.polygons.remove(0);
         }
         if left <= tried - tried / 4 {
             self.core = Some(core);

@@ -58,7 +58,7 @@ impl Core {
         core.is_inside(polygon).then_some(core)
     }
 
-    fn around(corners: &[Point2]) -> Option<Self> {
+    pub(super) fn around(corners: &[Point2]) -> Option<Self> {
         let [width, height] = [0, 1].map(|axis| {
             let along = || corners.iter().map(|corner| corner[axis]);
             along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
@@ -84,7 +84,7 @@ impl Core {
     }
 
     /// Whether every point that passes the test is strictly inside the polygon.
-    fn is_inside(&self, polygon: &Polygon) -> bool {
+    pub(super) fn is_inside(&self, polygon: &Polygon) -> bool {
         let mut outer = Self { ..*self };
         for axis in [2, 3] {
             let slack = 2.0 * f64::EPSILON * self.least[axis].abs().max(self.most[axis].abs());
@@ -104,7 +104,7 @@ impl Core {
     }
 
     /// The ends of the two upright sides, each from below, and of the two level ones, each from the left.
-    fn ends(&self) -> [Point2; 8] {
+    pub(super) fn ends(&self) -> [Point2; 8] {
         let Self { s, least, most } = *self;
         let upright = |x: f64| {
             let low = least[1].max(least[2] - s * x).max(s * x - most[3]);

@@ -59,7 +59,7 @@ const GROUP: usize = 4;
 
 /// An edge's function a x + b y - c.
 #[derive(Clone, Copy, Debug, Default)]
-struct Edge {
+pub(super) struct Edge {
     a: f64,
     b: f64,
     c: f64,
@@ -67,7 +67,7 @@ struct Edge {
 
 impl Edge {
     /// The function of from→to, scaled so that |a|, |b| ≤ 1 if no coordinate exceeds [`LARGEST`].
-    fn through(from: Point2, to: Point2) -> Self {
+    pub(super) fn through(from: Point2, to: Point2) -> Self {
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let exponent = (dx.abs().max(dy.abs()).to_bits() >> 52).max(1);
         let scale = f64::from_bits(2045_u64.saturating_sub(exponent) << 52);
@@ -77,7 +77,7 @@ impl Edge {
     }
 
     #[inline(always)]
-    fn at(self, [x, y]: Point2) -> f64 {
+    pub(super) fn at(self, [x, y]: Point2) -> f64 {
         self.a * x + self.b * y - self.c
     }
 }
@@ -129,7 +129,7 @@ impl Corners {
         Self::distinct(convex)
     }
 
-    fn distinct(corners: impl IntoIterator<Item = Point2>) -> Self {
+    pub(super) fn distinct(corners: impl IntoIterator<Item = Point2>) -> Self {
         let mut distinct = SmallVec::<[Point2; 8]>::new();
         distinct.extend(corners);
         distinct.dedup();

@@ -7,7 +7,7 @@ use geometry_core::Point2;
 use smallvec::SmallVec;
 
 /// Points are tested in blocks of so many, a bit of a word for each.
-const BLOCK: usize = 64;
+pub(super) const BLOCK: usize = 64;
 
 /// Points are measured side by side, so many at a time. With more, the compiler finds ways to read them that are slow on
 /// some machines.

@@ -20,16 +20,18 @@ pub(super) enum Left {
     Kept,
 }
 
-/// Throws away points that are certainly inside the hull, and puts the others into `kept`, which is empty.
+/// Throws away points that are certainly inside the hull, and puts the others into `kept`, which is empty. `sift` is
+/// the pass over all points.
 pub(super) fn throw_away<O: Observer>(
     points: &[Point2],
     kept: &mut Kept,
     observer: &mut O,
+    sift: impl FnOnce(&Cascade, &[Point2], &mut Kept, &mut O),
 ) -> Left {
     let Some(cascade) = Cascade::of(points) else {
         return Left::All;
     };
-    cascade.sift(points, 0, kept, observer);
+    sift(&cascade, points, kept, observer);
     let (mut before, mut corners) = (points.len(), cascade.corners);
     while pays(before, kept.len(), &corners) {
         corners = corners.refined(&few_enough(&kept.points));
