@@ -18,6 +18,7 @@
 //! ```
 
 mod delaunay;
+mod space;
 pub mod sweep;
 
 pub use delaunay::{delaunay, delaunay_by};
@@ -31,7 +32,7 @@ use geometry_core::{Exact, Silent};
 
 /// Every registered method, family by family.
 pub fn methods() -> impl Iterator<Item = &'static Method> {
-    let families: [&'static [Method]; 7] = [
+    let families: [&'static [Method]; 8] = [
         planar_peeling::METHODS,
         quickhull::METHODS,
         gift_wrap::METHODS,
@@ -39,6 +40,7 @@ pub fn methods() -> impl Iterator<Item = &'static Method> {
         divide_and_conquer::METHODS,
         lifted_delaunay::METHODS,
         delaunay::METHODS,
+        space::METHODS,
     ];
     families.into_iter().flatten()
 }
@@ -122,7 +124,7 @@ pub fn convex_layers(points: &[[f64; 2]], boundary: Boundary) -> Result<Layers, 
 ///
 /// # Cost
 ///
-/// That of method `quickhull-3d`.
+/// That of method `hull-3d`: linear on average where few points are extreme, O(n log n) expected where all are.
 ///
 /// ```
 /// let cube: Vec<[f64; 3]> = (0..8).map(|i| [i & 1, i >> 1 & 1, i >> 2].map(f64::from)).collect();
@@ -131,5 +133,5 @@ pub fn convex_layers(points: &[[f64; 2]], boundary: Boundary) -> Result<Layers, 
 /// # Ok::<(), hullkit::HullError>(())
 /// ```
 pub fn convex_hull_3d(points: &[[f64; 3]]) -> Result<Hull3, HullError> {
-    quickhull::quickhull_3d(Points::new(points)?, &Exact, &mut Silent)
+    space::hull_3d(Points::new(points)?, &Exact, &mut Silent)
 }

@@ -38,14 +38,17 @@ mod sets;
 mod simplex;
 mod surface;
 
+use crate::quickhull_3d;
 use directions::DirectionMap;
-use geometry_core::{Hull3, HullError, Kernel3, Observer, Points};
+use geometry_core::{Basis, Hull3, HullError, Kernel3, Observer, Points};
 use left::Left;
 use renumbered::Renumbered;
 use surface::{Surface, surface};
 
 /// Where this method departs from the published one, and why.
 pub const DEPARTURES: &[&str] = &[
+    "under a kernel whose answers are not about the coordinates themselves, such as that of lifted points, it is \
+     quickhull-3d",
     "answers that rounded arithmetic is proved to give right are not asked of the kernel, so a kernel is only asked the \
      others; Step::Visit tells each test of a point against a plane or the map",
     "points inside the hull of a sample are discarded first",
@@ -80,6 +83,10 @@ pub fn fast_3d<K: Kernel3, O: Observer>(
     kernel: &K,
     observer: &mut O,
 ) -> Result<Hull3, HullError> {
+    // What is discarded is discarded for its coordinates, which must be what the kernel answers about.
+    if kernel.basis() == Basis::Other {
+        return quickhull_3d(points, kernel, observer);
+    }
     let Some(map) = map_of_sample(points, None, kernel, observer)? else {
         let mut observer = Renumbered {
             observer,
