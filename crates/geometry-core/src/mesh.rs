@@ -259,25 +259,24 @@ impl TriMesh {
             self.free.push(spare.0);
         }
         let first = taken_out[0];
-        let mut before = taken_out[taken_out.len() - 1];
+        let mut before = taken_out[horizon.len() - 1];
         let mut begins = self.origin(horizon[horizon.len() - 1]);
         let mut is_closed = true;
-        let mut triangles = taken_out.drain(..).peekable();
-        for &beyond in horizon {
-            let Some(triangle) = triangles.next() else {
-                break;
-            };
-            let after = triangles.peek().copied().unwrap_or(first);
-            let [from, to] = [self.target(beyond), self.origin(beyond)];
-            is_closed &= from == begins && self.is_alive(beyond.triangle());
+        let after = taken_out[1..].iter().chain([&first]);
+        for ((&beyond, &triangle), after) in horizon.iter().zip(&*taken_out).zip(after) {
+            let neighbour = &mut self.triangles[beyond.slot()];
+            let from = neighbour.origins[beyond.next().corner()];
+            let to = neighbour.origins[beyond.corner()];
+            neighbour.twins[beyond.corner()] = triangle.side(0).0;
+            is_closed &= (from == begins) & (neighbour.origins[0] != NONE);
             begins = to;
             self.triangles[triangle.0 as usize] = Triangle {
                 origins: [from, to, apex],
                 twins: [beyond.0, after.side(2).0, before.side(1).0],
             };
-            self.triangles[beyond.slot()].twins[beyond.corner()] = triangle.side(0).0;
             before = triangle;
         }
+        taken_out.clear();
         is_closed.then_some(before)
     }
 

@@ -74,14 +74,13 @@ fn add_up(sizes: &mut [u32]) -> u32 {
     total
 }
 
+/// Without a branch, as which corner is the smallest is as good as random.
 fn from_smallest([a, b, c]: [u32; 3]) -> [u32; 3] {
-    if a < b && a < c {
-        [a, b, c]
-    } else if b < c {
-        [b, c, a]
-    } else {
-        [c, a, b]
-    }
+    let second = usize::from(b < a);
+    let third = usize::from(c < a.min(b));
+    let first = second * (1 - third) + 2 * third;
+    let twice = [a, b, c, a, b];
+    [twice[first], twice[first + 1], twice[first + 2]]
 }
 
 /// Step 2. The first corners of `pile` differ in their low bits alone, of which there are as many as tell `buckets`

@@ -40,8 +40,9 @@ impl Grid {
         let mut highest = [f64::NEG_INFINITY; 3];
         for p in points {
             for axis in 0..3 {
-                lowest[axis] = p[axis].min(lowest[axis]);
-                highest[axis] = p[axis].max(highest[axis]);
+                let x = p[axis];
+                lowest[axis] = if x < lowest[axis] { x } else { lowest[axis] };
+                highest[axis] = if x > highest[axis] { x } else { highest[axis] };
             }
         }
         let cells = f64::from(1_u32 << levels);
@@ -71,8 +72,10 @@ impl Grid {
         let mut place = 0;
         // The state, times `CELLS`.
         let mut state = 0;
-        for level in (0..self.levels).step_by(STRIDE as usize).rev() {
-            let inner = (cell >> (3 * level)) as usize % CELLS;
+        let mut shift = 3 * self.levels;
+        while shift > 0 {
+            shift -= 3 * STRIDE;
+            let inner = (cell >> shift) as usize % CELLS;
             let step = CURVE[state + inner] as usize;
             place = (place << (3 * STRIDE)) | (step % CELLS) as u64;
             state = step - step % CELLS;

@@ -20,9 +20,15 @@ const POINTS_A_CELL: usize = 16;
 
 /// The indices of all points in the order of insertion: `first`, then the others by rounds.
 pub(super) fn order(points: Points<'_, 3>, first: [u32; 4]) -> Vec<u32> {
-    let mut order = Vec::with_capacity(points.len());
+    let mut order = Vec::with_capacity(points.len() + first.len());
     order.extend(first);
-    order.extend(points.ids().filter(|id| !first.contains(id)));
+    order.extend(points.ids());
+    // From the greatest, so that an index to be removed is still in its place.
+    let mut second_copies = first;
+    second_copies.sort_unstable();
+    for id in second_copies.into_iter().rev() {
+        order.swap_remove(first.len() + id as usize);
+    }
     let rounds = (points.len() as u32 / FIRST_ROUND).max(1).ilog(4);
     let mut sorter = Sorter {
         points,
