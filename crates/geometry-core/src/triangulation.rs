@@ -6,6 +6,9 @@ const FEW: usize = 64;
 /// Triangles are sorted by counting if there is one for every so many values of their smallest corners.
 const MOST_GAPS: usize = 8;
 
+/// First corners with equal bits above these are sorted together.
+const RANGE_BITS: u32 = 12;
+
 /// A triangulation of points of the plane.
 ///
 /// Canonical: each triangle is anticlockwise and begins with its smallest index, and the triangles are in
@@ -37,7 +40,7 @@ impl Triangulation {
         let is_dense = largest as usize / MOST_GAPS <= triangles.len();
         let fits = u32::try_from(triangles.len()).is_ok();
         if triangles.len() > FEW && is_dense && fits {
-            triangles = sorted_by_counting(&triangles, largest);
+            sort_by_counting(&mut triangles, largest);
         } else {
             triangles.sort_unstable();
         }
@@ -101,34 +104,61 @@ fn smallest_first([a, b, c]: [u32; 3]) -> [u32; 3] {
     }
 }
 
-/// The triangles in lexicographic order: each put into its place by its first corner, and then the few with the same first
-/// corner sorted among themselves.
-fn sorted_by_counting(triangles: &[[u32; 3]], largest: u32) -> Vec<[u32; 3]> {
-    // After the first pass, places[i + 1] is the number of triangles that start at i; then where these begin; and at the
-    // end, where they end.
-    let mut places = vec![0_u32; largest as usize + 2];
-    for &[first, ..] in triangles {
-        places[first as usize + 1] += 1;
+/// Puts triangles into lexicographic order: into ranges by their first corners, within a range into stars with the same
+/// first corner, and the few of a star by the others. Two short steps rather than one long one: the places
+/// written to at any time stay in the cache.
+fn sort_by_counting(triangles: &mut [[u32; 3]], largest: u32) {
+    let range = |corners: &[u32; 3]| (corners[0] >> RANGE_BITS) as usize;
+    let mut unsorted = vec![[0; 3]; triangles.len()];
+    let ends = place_by_key(triangles, &mut unsorted, range(&[largest; 3]), range);
+    let mut start = 0;
+    for end in ends {
+        let star = |corners: &[u32; 3]| corners[0] as usize % (1 << RANGE_BITS);
+        let sorted = &mut triangles[start..end as usize];
+        let unsorted = &unsorted[start..end as usize];
+        let ends = place_by_key(unsorted, sorted, (1 << RANGE_BITS) - 1, star);
+        sort_stars(sorted, &ends);
+        start = end as usize;
+    }
+}
+
+/// Copies `from` to `to` in the order of their keys, which are at most `largest`. Returns where the triangles of each key
+/// end.
+#[inline(always)]
+fn place_by_key(
+    from: &[[u32; 3]],
+    to: &mut [[u32; 3]],
+    largest: usize,
+    key: impl Fn(&[u32; 3]) -> usize,
+) -> Vec<u32> {
+    // First places[k + 1] is the number of triangles with key k; then places[k] is where they begin, and at last where
+    // they end.
+    let mut places = vec![0_u32; largest + 2];
+    for corners in from {
+        places[key(corners) + 1] += 1;
     }
     let mut sum = 0;
     for place in &mut places {
         sum += *place;
         *place = sum;
     }
-    let mut sorted = vec![[0; 3]; triangles.len()];
-    for &corners in triangles {
-        let place = &mut places[corners[0] as usize];
-        sorted[*place as usize] = corners;
+    for corners in from {
+        let place = &mut places[key(corners)];
+        to[*place as usize] = *corners;
         *place += 1;
     }
-    let mut rest = &mut sorted[..];
+    places.truncate(largest + 1);
+    places
+}
+
+/// Sorts the triangles that end at each of `ends`.
+fn sort_stars(mut triangles: &mut [[u32; 3]], ends: &[u32]) {
     let mut start = 0;
-    for &end in &places[..=largest as usize] {
-        let (star, others) = rest.split_at_mut((end - start) as usize);
+    for &end in ends {
+        let (star, others) = triangles.split_at_mut((end - start) as usize);
         sort_star(star);
-        (rest, start) = (others, end);
+        (triangles, start) = (others, end);
     }
-    sorted
 }
 
 /// Sorts triangles around one corner: by insertion, as there are seldom more than a handful.

@@ -1,116 +1,109 @@
 //! `fast-delaunay` beside sorting as many doubles on the same machine.
 //!
-//! Points in memory to the canonical triangulation, the check that they are finite included. The sort is a yardstick
-//! that moves with the machine, which may be shared and noisy: the figure that counts is the ratio, from rounds in which
-//! both run in turn. Aim at a million points: 15 sorts in a disc, 13 on a circle, on one thread; that is 0.7 of what
-//! CGAL 5.5 takes.
+//! Points in memory to the canonical triangulation, the check that they are finite included, on one thread, each
+//! certified before. The sort is a yardstick that moves with the machine, which may be shared and noisy: so times are those
+//! of the processor, least of many rounds in which both run in turn, and what counts is the ratio. Aims at a
+//! million points: 15 sorts in a disc, 13 on a circle, 15 on a lattice, which is 0.7 of what CGAL 5.5 takes.
+//!
+//! The last row is ten million points on one thread and on all, by the clock.
+//!
+//! `cargo bench -p lifted-delaunay --bench fast_delaunay`, or with words that a row must contain: `-- disc`.
 
-#![allow(clippy::print_stdout)] // the ratios are this program's result
+#![allow(clippy::print_stdout)] // the table is this program's result
 
-use geometry_core::{Points, Triangulation};
-use lifted_delaunay::fast_delaunay;
+use cpu_time::ProcessTime;
+use geometry_core::{HullError, Points, Triangulation};
+use lifted_delaunay::{fast_delaunay, fast_delaunay_parallel};
+use peak_alloc::PeakAlloc;
 use point_sets::Spec;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
+#[global_allocator]
+static MEMORY: PeakAlloc = PeakAlloc;
+
 const SEED: u64 = 1985;
 const SETS: [&str; 5] = ["disc", "circle", "lattice", "square", "normal"];
-const SIZES_AND_ROUNDS: [(usize, usize); 3] = [(10_000, 101), (100_000, 31), (1_000_000, 11)];
+const SIZES_AND_ROUNDS: [(usize, usize); 3] = [(10_000, 201), (100_000, 51), (1_000_000, 15)];
 
 fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
     // `cargo test` runs benchmarks once with `--test`, to see that they work.
-    let only_once = std::env::args().any(|argument| argument == "--test");
-    println!(
-        "      n  set       triangles  certified     ms   ns a point   sort ms   / sort (95 %)"
-    );
+    let only_once = arguments.iter().any(|argument| argument == "--test");
+    let is_wanted = |title: &str| {
+        let mut words = arguments.iter().filter(|word| !word.starts_with("--"));
+        words.all(|word| title.contains(word.as_str()))
+    };
+    println!("set                triangles      ms  ns/point  sort ms    / sort  peak bytes/point");
     for (n, rounds) in SIZES_AND_ROUNDS {
         for set in SETS {
-            let spec: Spec = set.parse().expect("a set of the catalogue");
-            let points = spec
-                .generate(n, SEED)
-                .expect("parameters at their defaults");
-            print_row(set, &points, if only_once { 1 } else { rounds });
+            let title = format!("{set} {n}");
+            if is_wanted(&title) && !(only_once && n > 10_000) {
+                print_row(&title, &points(set, n), if only_once { 1 } else { rounds });
+            }
         }
-        if only_once {
-            break;
-        }
+    }
+    if is_wanted("threads") && !only_once {
+        print_threads(&points("disc", 10_000_000));
     }
 }
 
-fn triangulated(points: &[[f64; 2]]) -> Triangulation {
-    let points = Points::new(points).expect("the generators make finite points");
-    fast_delaunay(points).expect("few points")
+fn points(set: &str, n: usize) -> Vec<[f64; 2]> {
+    let spec: Spec = set.parse().expect("a set of the catalogue");
+    spec.generate(n, SEED)
+        .expect("parameters at their defaults")
 }
 
-/// Certifies the triangulation, times it and a sort in turn, each first in every other round, and prints the medians, and that
-/// of the ratio.
-fn print_row(set: &str, points: &[[f64; 2]], rounds: usize) {
-    let certificate = hull_verify::check::delaunay(points, &triangulated(points))
+fn by(
+    method: fn(Points<'_, 2>) -> Result<Triangulation, HullError>,
+    points: &[[f64; 2]],
+) -> Triangulation {
+    let points = Points::new(points).expect("the generators make finite points");
+    method(points).expect("few points")
+}
+
+fn print_row(title: &str, points: &[[f64; 2]], rounds: usize) {
+    let before = MEMORY.current_usage();
+    MEMORY.reset_peak_usage();
+    let triangulation = by(fast_delaunay, points);
+    let peak = (MEMORY.peak_usage() - before) / points.len();
+    hull_verify::check::delaunay(points, &triangulation)
         .expect("nothing is timed that is not proved");
     let numbers: Vec<f64> = points.iter().map(|point| point[0]).collect();
-    let time_sort = || {
+    let [mut ours, mut sort] = [f64::INFINITY; 2];
+    for _ in 0..rounds {
+        ours = ours.min(milliseconds(|| by(fast_delaunay, points)));
         let mut numbers = numbers.clone();
-        elapsed(|| {
-            numbers.sort_unstable_by(f64::total_cmp);
-            numbers
-        })
-    };
-    let time = || elapsed(|| triangulated(points));
-    let samples: Vec<[f64; 2]> = (0..rounds)
-        .map(|round| {
-            let (ours, sort) = if round % 2 == 0 {
-                let ours = time();
-                (ours, time_sort())
-            } else {
-                let sort = time_sort();
-                (time(), sort)
-            };
-            [ours, sort].map(|time| 1e3 * time.as_secs_f64())
-        })
-        .collect();
-    let sorted = |value: fn(&[f64; 2]) -> f64| {
-        let mut values: Vec<f64> = samples.iter().map(value).collect();
-        values.sort_by(f64::total_cmp);
-        values
-    };
-    let [ours, sort] = [sorted(|s| s[0]), sorted(|s| s[1])].map(|values| values[rounds / 2]);
-    let ratios = sorted(|s| s[0] / s[1]);
-    // Order statistics around the median of a binomial: half the rounds, plus and minus 1.96 standard deviations.
-    let margin = (0.98 * (rounds as f64).sqrt()).ceil() as usize;
+        sort = sort.min(milliseconds(|| numbers.sort_unstable_by(f64::total_cmp)));
+    }
     println!(
-        "{:>7}  {set:<8} {:>10}        yes {ours:>7.1} {:>12.0} {sort:>9.2}   {:.2} ({:.2} to {:.2})",
-        points.len(),
-        certificate.triangles,
+        "{title:<17}{:>11}{ours:>8.2}{:>10.0}{sort:>9.2}{:>10.2}{peak:>18}",
+        triangulation.len(),
         1e6 * ours / points.len() as f64,
-        ratios[rounds / 2],
-        ratios[(rounds / 2).saturating_sub(margin)],
-        ratios[(rounds / 2 + margin).min(rounds - 1)],
+        ours / sort,
     );
 }
 
-/// What one triangulation adds to the memory in use at its peak, where the system tells it in a file. To be asked
-/// before anything larger is done.
-fn print_peak_memory() {
-    let spec: Spec = "disc".parse().expect("a set of the catalogue");
-    let points = spec
-        .generate(1_000_000, SEED)
-        .expect("parameters at their defaults");
-    let kibibytes = |field: &str| -> Option<u64> {
-        let status = std::fs::read_to_string("/proc/self/status").ok()?;
-        let line = status.lines().find(|line| line.starts_with(field))?;
-        line.split_whitespace().nth(1)?.parse().ok()
+fn print_threads(points: &[[f64; 2]]) {
+    let least = |method| {
+        let times = (0..3).map(|_| {
+            let start = Instant::now();
+            black_box(by(method, points));
+            start.elapsed()
+        });
+        times.min().unwrap_or(Duration::MAX).as_secs_f64()
     };
-    let before = kibibytes("VmRSS:");
-    let triangulation = triangulated(&points);
-    if let (Some(before), Some(peak)) = (before, kibibytes("VmHWM:")) {
-        let bytes = 1024 * (peak - before) / points.len() as u64;
-        let triangles = triangulation.len();
-        println!("peak memory: {bytes} bytes a point, in a disc, for {triangles} triangles");
-    }
+    let [one, all] = [least(fast_delaunay), least(fast_delaunay_parallel)];
+    println!(
+        "threads: disc {}, {one:.2} s on one, {all:.2} s on {}: {:.2} times as fast",
+        points.len(),
+        rayon::current_num_threads(),
+        one / all
+    );
 }
 
-fn elapsed<T>(work: impl FnOnce() -> T) -> Duration {
-    let start = Instant::now();
+fn milliseconds<T>(work: impl FnOnce() -> T) -> f64 {
+    let start = ProcessTime::now();
     black_box(work());
-    start.elapsed()
+    1e3 * start.elapsed().as_secs_f64()
 }

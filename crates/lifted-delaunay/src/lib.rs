@@ -43,14 +43,14 @@
 //! **Departures.** See [`DEPARTURES`].
 //!
 //! **When not to use it.** When speed is all: the hull of the lifted points also has the upper facets, which are thrown
-//! away, and planar methods that know the in-circle test from the start have simpler insides.
+//! away. [`fast`] knows the in-circle test from the start, and gives the same triangulation.
 //!
 //! [`voronoi`] has the dual.
 
 pub mod fast;
 pub mod voronoi;
 
-pub use fast::{fast_delaunay, fast_delaunay_counted};
+pub use fast::{fast_delaunay, fast_delaunay_counted, fast_delaunay_parallel};
 pub use voronoi::{Voronoi, VoronoiEdge};
 
 use geometry_core::{

@@ -48,6 +48,7 @@ impl Unit {
     /// use geometry_core::exact::Unit;
     /// assert_ne!(Unit::of(&[[0.5, 3.0], [-2.0, 0.0]]), Unit::UNKNOWN);
     /// assert_eq!(Unit::of(&[[0.1, 0.2]]), Unit::UNKNOWN);
+    /// assert_eq!(Unit::of(&[[0.0, 0.0]]), Unit::UNKNOWN);
     /// ```
     pub fn of(points: &[Point2]) -> Self {
         let (mut least, mut top) = (i32::MAX, i32::MIN);
@@ -60,7 +61,7 @@ impl Unit {
                 least = least.min(exponent - 52 + zeros as i32);
                 top = top.max(exponent);
             }
-            if least < LEAST_EXPONENT || least < top.saturating_sub(USEFUL) {
+            if least < LEAST_EXPONENT || least.saturating_add(USEFUL) < top {
                 return Self::UNKNOWN;
             }
         }

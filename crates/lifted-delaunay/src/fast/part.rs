@@ -90,6 +90,17 @@ impl Part {
         joined
     }
 
+    /// The same part, its vertices and edges renumbered.
+    pub(super) fn moved(mut self, vertices: u32, edges: u32) -> Self {
+        for corner in self.first.iter_mut().chain(&mut self.last) {
+            corner.vertex += vertices;
+            if corner.out != NONE {
+                corner.out += edges;
+            }
+        }
+        self
+    }
+
     /// Notes that the edge of the hull that leaves `vertex` is now `out`.
     #[inline(always)]
     pub(super) fn turn(&mut self, vertex: u32, out: u32) {

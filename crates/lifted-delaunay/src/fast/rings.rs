@@ -11,7 +11,11 @@
 //! **Room.** Straight edges that do not cross number at most 3 m - 3 on m ≥ 2 points, and in a merge an edge is removed before
 //! one that would cross it is made. Removed edges are used again before fresh ones, so 3 m places are always enough.
 
+use rayon::prelude::*;
 use std::ops::Range;
+
+/// Halves that one thread takes at a time.
+const STRETCH: usize = 1 << 16;
 
 /// No edge.
 pub(super) const NONE: u32 = u32::MAX;
@@ -63,6 +67,14 @@ impl Room {
 }
 
 impl Room {
+    /// How many of the first `len` halves may be in use.
+    fn used(&self, len: usize) -> usize {
+        let stretches = self.spare.iter().copied();
+        let mut stretches = stretches.chain([(self.fresh, self.end)]);
+        let last = stretches.find(|&(_, end)| end as usize == len);
+        last.map_or(len, |(fresh, _)| fresh as usize)
+    }
+
     #[cold]
     fn take_spare(&mut self) {
         if let Some((fresh, end)) = self.spare.pop() {
@@ -80,6 +92,32 @@ impl<'a> Rings<'a> {
     /// Lets the halves go.
     pub(super) fn into_room(self) -> Room {
         self.room
+    }
+
+    /// Takes the halves from `base` on, which so far were numbered from zero and had `room`, for those of the vertices from
+    /// `first` on.
+    pub(super) fn adopt(&mut self, base: usize, first: u32, room: Room) {
+        let by = base as u32;
+        let moved = |e: u32| if e == NONE { NONE } else { e + by };
+        let shift = |stretch: &mut [Half]| {
+            for half in stretch {
+                *half = [moved(half[NEXT]), moved(half[PREV]), half[ORIGIN] + first];
+            }
+        };
+        let used = room.used(self.halves.len() - base);
+        let used = &mut self.halves[base..base + used];
+        used.par_chunks_mut(STRETCH).for_each(shift);
+        if room.removed != NONE {
+            let mut last = moved(room.removed);
+            while self.next(last) != NONE {
+                last = self.next(last);
+            }
+            self.halves[last as usize][NEXT] = self.room.removed;
+            self.room.removed = moved(room.removed);
+        }
+        let stretches = room.spare.into_iter().chain([(room.fresh, room.end)]);
+        let stretches = stretches.map(|(fresh, end)| (moved(fresh), moved(end)));
+        self.room.spare.extend(stretches);
     }
 
     #[inline(always)]
@@ -173,12 +211,8 @@ impl<'a> Rings<'a> {
 
     /// All halves that were ever in use, to be searched for triangles.
     pub(super) fn finished(&self) -> Finished<'_> {
-        let stretches = self.room.spare.iter().copied();
-        let stretches = stretches.chain([(self.room.fresh, self.room.end)]);
-        let at_the_end = stretches.filter(|&(_, end)| end as usize == self.halves.len());
-        let used = at_the_end.map(|(fresh, _)| fresh as usize).next();
         Finished {
-            halves: &self.halves[..used.unwrap_or(self.halves.len())],
+            halves: &self.halves[..self.room.used(self.halves.len())],
         }
     }
 }
