@@ -21,7 +21,7 @@
 //! so near to them ([`Polygon::contains_about`]), hence the octagon. What is infinite or NaN fails a comparison.
 
 use super::polygon::{Corners, Polygon};
-use super::region::{LANES, Lanes, Region, lesser};
+use super::region::{BLOCK, Block, Region, lesser};
 use geometry_core::Point2;
 
 /// Axes: x, y and the two diagonals.
@@ -132,11 +132,11 @@ impl Region for Core {
     /// The least of the differences that the comparisons are about. Their signs are exact. The sum of the coordinates
     /// comes first, as it is not finite if one of them is not, and a NaN stays the least.
     #[inline(always)]
-    fn measure(&self, lanes: &Lanes) -> [f64; LANES] {
+    fn measure(&self, block: &Block) -> [f64; BLOCK] {
         let Self { s, least, most } = self;
-        let mut measures = [0.0; LANES];
-        for i in 0..LANES {
-            let [x, y, sum, difference] = values(*s, [lanes.x[i], lanes.y[i]]);
+        let mut measures = [0.0; BLOCK];
+        for i in 0..BLOCK {
+            let [x, y, sum, difference] = values(*s, [block.x[i], block.y[i]]);
             let mut measure = sum - least[2];
             measure = lesser(most[2] - sum, measure);
             measure = lesser(difference - least[3], measure);

@@ -44,7 +44,7 @@
 //! |a'|, |b'| ≤ 1; a sum that does belongs to a point that failed already.
 
 use super::extremes::{AT_A_TIME, furthest, furthest_by_compass};
-use super::region::{LANES, Lanes, Region, lesser};
+use super::region::{BLOCK, Block, Region, lesser};
 use geometry_core::Point2;
 use smallvec::SmallVec;
 
@@ -228,16 +228,16 @@ fn in_groups(edges: impl Iterator<Item = Edge>) -> SmallVec<[[Edge; GROUP]; 2]> 
 impl Region for Polygon {
     /// The least of 2 M - |x| - |y| and the edges' functions; NaN if a coordinate is.
     #[inline(always)]
-    fn measure(&self, lanes: &Lanes) -> [f64; LANES] {
-        let mut measures = [0.0; LANES];
-        for i in 0..LANES {
-            measures[i] = self.reach - (lanes.x[i].abs() + lanes.y[i].abs());
+    fn measure(&self, block: &Block) -> [f64; BLOCK] {
+        let mut measures = [0.0; BLOCK];
+        for i in 0..BLOCK {
+            measures[i] = self.reach - (block.x[i].abs() + block.y[i].abs());
         }
         for edges in &self.edges {
-            for i in 0..LANES {
+            for i in 0..BLOCK {
                 let mut measure = measures[i];
                 for edge in edges {
-                    measure = lesser(edge.at([lanes.x[i], lanes.y[i]]), measure);
+                    measure = lesser(edge.at([block.x[i], block.y[i]]), measure);
                 }
                 measures[i] = measure;
             }

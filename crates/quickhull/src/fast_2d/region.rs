@@ -1,17 +1,13 @@
 //! A part of the plane inside the hull, and the passes that keep the points outside it.
 //!
-//! The passes are plain loops over a block, compiled for each width of vectors that the machine may have; `pulp` picks the one to
-//! run. The arithmetic is the same in all.
+//! The passes are plain loops over a block, compiled for each width of vectors that the machine may have; `pulp` picks the
+//! one to run. The arithmetic is the same in all.
 
 use geometry_core::Point2;
 use smallvec::SmallVec;
 
 /// Points are tested in blocks of so many, a bit of a word for each.
 pub(super) const BLOCK: usize = 64;
-
-/// Points are measured side by side, so many at a time. With more, the compiler finds ways to read them that are slow on
-/// some machines.
-pub(super) const LANES: usize = 8;
 
 /// Up to so many points are kept without allocation.
 pub(super) const INLINE: usize = 128;
@@ -20,7 +16,10 @@ pub(super) const INLINE: usize = 128;
 pub(super) trait Region {
     /// A number for each point: greater than the [`bound`](Self::bound) only if the point lies in the region for certain.
     /// Where a coordinate is not finite it is not, or NaN.
-    fn measure(&self, lanes: &Lanes) -> [f64; LANES];
+    ///
+    /// Written as plain loops over the whole block: the compiler makes good vectors of these, and bad ones of loops over
+    /// parts of it.
+    fn measure(&self, block: &Block) -> [f64; BLOCK];
 
     /// What a measure must exceed.
     fn bound(&self) -> f64;
@@ -28,34 +27,28 @@ pub(super) trait Region {
     /// Bit i for point i not certain to lie in the region.
     #[inline(always)]
     fn not_inside(&self, points: &[Point2; BLOCK]) -> u64 {
-        let (parts, _) = points.as_chunks::<LANES>();
         let bound = self.bound();
         let mut inside = 0;
-        for (number, part) in parts.iter().enumerate() {
-            let measures = self.measure(&Lanes::of(part));
-            let mut bits = 0;
-            for (lane, measure) in measures.into_iter().enumerate() {
-                bits |= u64::from(measure > bound) << lane;
-            }
-            inside |= bits << (number * LANES);
+        for (place, measure) in self.measure(&Block::of(points)).into_iter().enumerate() {
+            inside |= u64::from(measure > bound) << place;
         }
         !inside
     }
 }
 
-/// The coordinates of some points, side by side.
-pub(super) struct Lanes {
-    pub(super) x: [f64; LANES],
-    pub(super) y: [f64; LANES],
+/// The coordinates of the points of a block, side by side.
+pub(super) struct Block {
+    pub(super) x: [f64; BLOCK],
+    pub(super) y: [f64; BLOCK],
 }
 
-impl Lanes {
+impl Block {
     #[inline(always)]
-    fn of(points: &[Point2; LANES]) -> Self {
-        let (mut x, mut y) = ([0.0; LANES], [0.0; LANES]);
-        for (lane, point) in points.iter().enumerate() {
-            x[lane] = point[0];
-            y[lane] = point[1];
+    fn of(points: &[Point2; BLOCK]) -> Self {
+        let (mut x, mut y) = ([0.0; BLOCK], [0.0; BLOCK]);
+        for (place, point) in points.iter().enumerate() {
+            x[place] = point[0];
+            y[place] = point[1];
         }
         Self { x, y }
     }
