@@ -6,6 +6,7 @@
 //! RUN/samples.csv     every sample, in integer nanoseconds; append-only
 //! RUN/counts.csv      exact integers of separate, untimed runs
 //! RUN/warnings.csv    what to be careful about
+//! RUN/definitions/    the texts of the definitions, ID.toml
 //! ```
 //!
 //! A key occurs once in a file: definition, set, n, seed and engine, and with it the round of a sample, the
@@ -31,6 +32,9 @@ pub mod row;
 pub mod rows;
 pub mod run;
 pub mod write;
+
+/// The folder, in a run's, of the texts of its definitions.
+pub const DEFINITIONS: &str = "definitions";
 
 pub use error::{Problem, RecordError};
 pub use journal::{Journal, Recovered};

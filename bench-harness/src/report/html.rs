@@ -1,0 +1,23 @@
+//! A document as one HTML file.
+
+use super::document::Document;
+use anyhow::Result;
+use minijinja::{AutoEscape, Environment, context};
+
+const TEMPLATE: &str = include_str!("report.html");
+const STYLE: &str = include_str!("style.css");
+
+/// The document as HTML: no script, nothing from elsewhere, every text escaped.
+///
+/// # Errors
+///
+/// A fault of the template.
+pub fn html(document: &Document) -> Result<String> {
+    let mut environment = Environment::new();
+    environment.set_auto_escape_callback(|_| AutoEscape::Html);
+    environment.set_trim_blocks(true);
+    environment.set_lstrip_blocks(true);
+    environment.add_template("report.html", TEMPLATE)?;
+    let template = environment.get_template("report.html")?;
+    Ok(template.render(context! { report => document, style => STYLE })?)
+}
