@@ -21,12 +21,13 @@
 //! | [`read`] | files in, with errors that name file, line and field |
 //! | [`write`](mod@write) | whole files out |
 //! | [`journal`] | rows appended one by one, so that a killed run can go on |
-//! | [`run`] | a loaded folder, and views of it |
+//! | [`run`] | a loaded folder, and views of it; `part`: the rows of one definition |
 //! | [`error`] | what can be wrong with a folder |
 
 pub mod error;
 pub mod journal;
 pub mod manifest;
+mod part;
 pub mod read;
 pub mod row;
 pub mod rows;

@@ -138,33 +138,6 @@ impl Run {
         }
     }
 
-    /// The same run with the rows of one definition alone.
-    #[must_use]
-    pub fn only(&self, definition: &str) -> Self {
-        let of = |subject: &Subject| subject.case.definition == definition;
-        let cells = self.cells.iter().filter(|row| of(&row.subject));
-        let samples = self.samples.iter().filter(|row| of(&row.subject));
-        let counts = self.counts.iter().filter(|row| of(&row.subject));
-        let warnings = self.warnings.iter().filter(|row| of(&row.subject));
-        let rows = (
-            samples.cloned().collect(),
-            counts.cloned().collect(),
-            warnings.cloned().collect(),
-        );
-        Self {
-            folder: self.folder.clone(),
-            notes: self.notes.clone(),
-            ..Self::from_rows(self.manifest.clone(), cells.cloned().collect(), rows)
-        }
-    }
-
-    /// The definitions that it has cases of, in order.
-    pub fn definitions(&self) -> Vec<&str> {
-        let cases = self.cases().into_iter();
-        let ids: BTreeSet<&str> = cases.map(|case| case.definition.as_str()).collect();
-        ids.into_iter().collect()
-    }
-
     /// Every case that was measured or counted, in order.
     pub fn cases(&self) -> Vec<&Case> {
         let cells = self.cells.iter().map(|cell| &cell.subject.case);

@@ -2,6 +2,8 @@
 
 use super::document::Document;
 use anyhow::Result;
+use minijinja::syntax::SyntaxConfig;
+use minijinja::value::Serde;
 use minijinja::{AutoEscape, Environment, context};
 
 const TEMPLATE: &str = include_str!("report.html");
@@ -14,10 +16,13 @@ const STYLE: &str = include_str!("style.css");
 /// A fault of the template.
 pub fn html(document: &Document) -> Result<String> {
     let mut environment = Environment::new();
+    let mut syntax = SyntaxConfig::builder();
+    syntax.trim_blocks(true);
+    syntax.lstrip_blocks(true);
+    syntax.keep_trailing_newline(true);
+    environment.set_syntax(syntax.build()?);
     environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.set_trim_blocks(true);
-    environment.set_lstrip_blocks(true);
     environment.add_template("report.html", TEMPLATE)?;
     let template = environment.get_template("report.html")?;
-    Ok(template.render(context! { report => document, style => STYLE })?)
+    Ok(template.render(context! { report => Serde(document), style => STYLE })?)
 }
