@@ -36,9 +36,11 @@ public:
   void forget() override { result_ = Polygon(); }
 
   peer::Hull hull(const peer::Points& points) override {
-    std::vector<double> wanted;
-    for (const Point& p : result_.outer()) wanted.insert(wanted.end(), {p.x(), p.y()});
-    std::vector<std::uint32_t> cycle = peer::Finder(points).indices(wanted);
+    std::vector<std::uint32_t> cycle;
+    for (const Point& p : result_.outer()) {
+      const double coordinates[] = {p.x(), p.y()};
+      cycle.push_back(points.find(coordinates));
+    }
     // A ring of one or two points says the first again, to have three.
     while (cycle.size() > 1 && cycle.back() == cycle.front()) cycle.pop_back();
     peer::Hull hull{"cycle", {}, {}};

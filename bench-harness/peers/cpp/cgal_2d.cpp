@@ -50,10 +50,13 @@ public:
   void forget() override { Input().swap(result_); }
 
   peer::Hull hull(const peer::Points& points) override {
-    std::vector<double> wanted;
-    for (const Point& p : result_) wanted.insert(wanted.end(), {p.x(), p.y()});
+    std::vector<std::uint32_t> cycle;
+    for (const Point& p : result_) {
+      const double coordinates[] = {p.x(), p.y()};
+      cycle.push_back(points.find(coordinates));
+    }
     peer::Hull hull{"cycle", {}, {}};
-    hull.part(peer::Finder(points).indices(wanted));
+    hull.part(cycle);
     return hull;
   }
 

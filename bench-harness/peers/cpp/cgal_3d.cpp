@@ -41,31 +41,34 @@ public:
       if (result_.is_border(halfedge)) return border(points, halfedge);
     }
     if (result_.number_of_faces() == 0) throw std::runtime_error("the result has no facets");
-    std::vector<double> wanted;
-    std::vector<std::uint32_t> lengths;
+    peer::Hull hull{"triangles", {}, {}};
     for (const auto face : result_.faces()) {
-      for (const auto vertex : result_.vertices_around_face(result_.halfedge(face))) append(wanted, vertex);
-      lengths.push_back(result_.degree(face));
+      std::vector<std::uint32_t> corners;
+      for (const auto vertex : result_.vertices_around_face(result_.halfedge(face))) {
+        corners.push_back(find(points, vertex));
+      }
+      hull.part(corners);
     }
-    return {"triangles", lengths, peer::Finder(points).indices(wanted)};
+    return hull;
   }
 
 private:
   peer::Hull border(const peer::Points& points, Mesh::Halfedge_index start) const {
-    std::vector<double> wanted;
+    std::vector<std::uint32_t> corners;
     auto at = start;
     do {
-      append(wanted, result_.target(at));
+      corners.push_back(find(points, result_.target(at)));
       at = result_.next(at);
     } while (at != start);
     peer::Hull hull{"facets", {}, {}};
-    hull.part(peer::Finder(points).indices(wanted));
+    hull.part(corners);
     return hull;
   }
 
-  void append(std::vector<double>& wanted, Mesh::Vertex_index vertex) const {
+  std::uint32_t find(const peer::Points& points, Mesh::Vertex_index vertex) const {
     const Point& p = result_.point(vertex);
-    wanted.insert(wanted.end(), {p.x(), p.y(), p.z()});
+    const double coordinates[] = {p.x(), p.y(), p.z()};
+    return points.find(coordinates);
   }
 
   std::vector<Point> input_;

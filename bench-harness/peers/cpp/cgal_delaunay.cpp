@@ -31,19 +31,20 @@ public:
   void forget() override { result_.reset(); }
 
   peer::Hull hull(const peer::Points& points) override {
-    std::vector<double> wanted;
-    std::size_t triangles = 0;
+    peer::Hull hull{"triangles", {}, {}};
     for (const auto face : result_->finite_face_handles()) {
-      for (int i = 0; i < 3; ++i) {
-        const Point& p = face->vertex(i)->point();
-        wanted.insert(wanted.end(), {p.x(), p.y()});
-      }
-      ++triangles;
+      for (int i = 0; i < 3; ++i) hull.indices.push_back(find(points, face->vertex(i)->point()));
+      hull.lengths.push_back(3);
     }
-    return {"triangles", std::vector<std::uint32_t>(triangles, 3), peer::Finder(points).indices(wanted)};
+    return hull;
   }
 
 private:
+  static std::uint32_t find(const peer::Points& points, const Point& p) {
+    const double coordinates[] = {p.x(), p.y()};
+    return points.find(coordinates);
+  }
+
   std::vector<Point> input_;
   std::unique_ptr<Triangulation> result_;
 };

@@ -47,9 +47,12 @@ public:
     GEOSCoordSeq_getSize_r(geos_, sequence, &size);
     // A ring says its first vertex again at its end.
     if (is_polygon) --size;
-    std::vector<double> wanted(2 * size);
-    for (unsigned i = 0; i < size; ++i) GEOSCoordSeq_getXY_r(geos_, sequence, i, &wanted[2 * i], &wanted[2 * i + 1]);
-    std::vector<std::uint32_t> cycle = peer::Finder(points).indices(wanted);
+    std::vector<std::uint32_t> cycle;
+    for (unsigned i = 0; i < size; ++i) {
+      double coordinates[2];
+      GEOSCoordSeq_getXY_r(geos_, sequence, i, &coordinates[0], &coordinates[1]);
+      cycle.push_back(points.find(coordinates));
+    }
     peer::anticlockwise(points, cycle);
     peer::Hull hull{"cycle", {}, {}};
     hull.part(cycle);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
@@ -25,13 +26,53 @@ namespace peer {
 using Clock = std::chrono::steady_clock;
 
 // Points as they came: coordinate by coordinate.
-struct Points {
+class Points {
+public:
   std::string task;
   std::size_t n = 0;
   int dimension = 0;
   std::vector<double> coordinates;
 
   const double* at(std::size_t i) const { return &coordinates[i * dimension]; }
+
+  // The smallest index of the copies of a point, given by its coordinates.
+  std::uint32_t find(const double* point) const {
+    if (smallest_.empty()) {
+      smallest_.reserve(n);
+      for (std::size_t i = 0; i < n; ++i) smallest_.emplace(key(at(i)), i);
+    }
+    const auto found = smallest_.find(key(point));
+    if (found == smallest_.end()) throw std::runtime_error("a vertex of the result is none of the points");
+    return found->second;
+  }
+
+  // Has to be said when the coordinates have changed.
+  void changed() { smallest_.clear(); }
+
+private:
+  using Key = std::array<std::uint64_t, 3>;
+  struct Hash {
+    std::size_t operator()(const Key& key) const {
+      std::uint64_t hash = 0;
+      for (const std::uint64_t bits : key) {
+        hash = (hash ^ bits) * 0x9E3779B97F4A7C15;
+        hash ^= hash >> 32;
+      }
+      return hash;
+    }
+  };
+
+  // The bits of the coordinates, the two zeros alike.
+  Key key(const double* point) const {
+    Key key{};
+    for (int i = 0; i < dimension; ++i) {
+      const double x = point[i] + 0.0;
+      std::memcpy(&key[i], &x, sizeof x);
+    }
+    return key;
+  }
+
+  mutable std::unordered_map<Key, std::uint32_t, Hash> smallest_;
 };
 
 // A hull as it leaves: parts of indices. The kinds are those of the protocol.
@@ -59,52 +100,6 @@ public:
   virtual void forget() = 0;
   // The result as indices, any copy of a point standing for it: not timed.
   virtual Hull hull(const Points& points) = 0;
-};
-
-// Maps points of the input, given by their coordinates, to the smallest index of their copies.
-class Finder {
-public:
-  explicit Finder(const Points& points) : points_(points) {}
-
-  // The smallest index of each of `wanted`, which are coordinates one after the other.
-  std::vector<std::uint32_t> indices(const std::vector<double>& wanted) const {
-    const std::size_t d = points_.dimension;
-    std::unordered_map<std::string, std::uint32_t> smallest;
-    for (std::size_t i = 0; i < wanted.size(); i += d) smallest.emplace(key(&wanted[i]), points_.n);
-    for (std::size_t i = points_.n; i-- > 0;) {
-      const auto found = smallest.find(key(points_.at(i)));
-      if (found != smallest.end()) found->second = i;
-    }
-    std::vector<std::uint32_t> ids;
-    for (std::size_t i = 0; i < wanted.size(); i += d) {
-      const std::uint32_t id = smallest.at(key(&wanted[i]));
-      if (id == points_.n) throw std::runtime_error("a vertex of the result is none of the points");
-      ids.push_back(id);
-    }
-    return ids;
-  }
-
-  // Each of `ids` as the smallest index of its copies.
-  std::vector<std::uint32_t> smallest(const std::vector<std::uint32_t>& ids) const {
-    std::vector<double> wanted;
-    for (const std::uint32_t id : ids) {
-      wanted.insert(wanted.end(), points_.at(id), points_.at(id) + points_.dimension);
-    }
-    return indices(wanted);
-  }
-
-private:
-  // The bits of the coordinates, the two zeros alike.
-  std::string key(const double* point) const {
-    std::string key(points_.dimension * sizeof(double), '\0');
-    for (int i = 0; i < points_.dimension; ++i) {
-      const double x = point[i] + 0.0;
-      std::memcpy(&key[i * sizeof x], &x, sizeof x);
-    }
-    return key;
-  }
-
-  const Points& points_;
 };
 
 // Turns a cycle of points of the plane anticlockwise.
@@ -267,6 +262,7 @@ private:
     points_.task = detail::field(line, "task");
     points_.n = detail::number(line, "n");
     points_.dimension = detail::number(line, "dimension");
+    points_.changed();
     points_.coordinates.assign(points_.n * points_.dimension, 0.0);
     const std::size_t bytes = points_.coordinates.size() * sizeof(double);
     std::cin.read(reinterpret_cast<char*>(points_.coordinates.data()), bytes);
@@ -296,7 +292,7 @@ private:
   void hull() {
     if (!has_run_) throw std::runtime_error("nothing was run");
     Hull hull = engine_.hull(points_);
-    hull.indices = Finder(points_).smallest(hull.indices);
+    for (std::uint32_t& id : hull.indices) id = points_.find(points_.at(id));
     std::cout << "{\"kind\":" << detail::quoted(hull.kind) << ",\"lengths\":" << hull.lengths.size()
               << ",\"indices\":" << hull.indices.size() << "}\n";
     detail::write(hull.lengths);

@@ -234,7 +234,14 @@ impl Cmp {
             sections,
             long: self.long(),
             value: json(self),
-            headline: format!("{} engines on cases", self.rows.len()),
+            headline: format!(
+                "{} times, of which {} surely differ from their baseline",
+                self.rows.len(),
+                self.rows
+                    .iter()
+                    .filter(|row| matches!(row.standing, Standing::Faster | Standing::Slower))
+                    .count()
+            ),
         }
     }
 

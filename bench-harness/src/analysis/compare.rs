@@ -7,6 +7,7 @@
 use super::seed_of;
 use crate::records::{Case, Run};
 use crate::stats::bootstrap::{Bootstrapped, clustered_median};
+use crate::stats::freedom;
 use crate::stats::interval::p_beyond;
 use crate::stats::spearman::{self, Correlation};
 use crate::stats::wilcoxon::signed_rank;
@@ -21,6 +22,8 @@ pub struct Comparison {
     pub pairs: usize,
     /// Realisations on which both were sampled.
     pub realisations: usize,
+    /// The degrees of freedom of the scatter: few if the realisations differ and there are few of them.
+    pub freedom: f64,
     /// The two-sided p-value of no difference, by Wilcoxon's signed ranks.
     pub wilcoxon: f64,
     /// How the ratio moves with the rounds; `None` if there are too few.
@@ -43,6 +46,7 @@ impl Comparison {
             log: clustered_median(&logs, seed)?,
             pairs: flat.len(),
             realisations: logs.len(),
+            freedom: freedom::of_clusters(&logs),
             wilcoxon: signed_rank(&flat),
             drift: spearman::correlation(&by_round),
         })
@@ -50,13 +54,8 @@ impl Comparison {
 
     /// The p-value of a true ratio within the band of `half_width` (a logarithm).
     pub fn p_beyond(&self, half_width: f64) -> f64 {
-        let freedom = self.pairs.saturating_sub(self.realisations) as f64;
-        p_beyond(
-            self.log.median,
-            self.log.standard_error(),
-            freedom,
-            half_width,
-        )
+        let error = self.log.standard_error();
+        p_beyond(self.log.median, error, self.freedom, half_width)
     }
 }
 

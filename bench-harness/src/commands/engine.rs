@@ -2,7 +2,8 @@
 
 use crate::commands::select;
 use crate::engine::own::Own;
-use crate::engine::server::serve;
+use crate::engine::server::{Engine, serve};
+use crate::engine::yardstick::{Measure, Yardstick};
 use crate::failure::Failure;
 use clap::ValueHint;
 use std::io;
@@ -22,7 +23,7 @@ Exit codes:
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The method, by its slug (see `hullbench methods`)
+    /// The method, by its slug (see `hullbench methods`), or a yardstick: sort, pass
     #[arg(value_name = "SLUG", value_hint = ValueHint::Other)]
     slug: String,
 }
@@ -33,6 +34,9 @@ pub struct Args {
 ///
 /// [`Failure::Usage`] for a slug that is not registered; [`Failure::Io`].
 pub fn run(args: &Args) -> Result<(), Failure> {
+    if let Some(yardstick) = Yardstick::find(&args.slug) {
+        return answer(&mut Measure::new(yardstick));
+    }
     let method = select::any(&args.slug)?;
     let mut engine = Own::new(method).ok_or_else(|| {
         Failure::Usage(format!(
@@ -40,7 +44,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             method.slug
         ))
     })?;
+    answer(&mut engine)
+}
+
+fn answer(engine: &mut dyn Engine) -> Result<(), Failure> {
     let mut output = io::BufWriter::new(io::stdout().lock());
-    serve(&mut engine, &mut io::stdin().lock(), &mut output)
+    serve(engine, &mut io::stdin().lock(), &mut output)
         .map_err(|error| Failure::io("the pipe", &error, "see bench-harness/PROTOCOL.md"))
 }

@@ -15,7 +15,8 @@ more than 10, it foretells the upper 30 % of the sizes best when fitted to the l
 no pattern. Otherwise: not distinguishable on this range.
 
 Beside the slope of the logarithms stands the slope that each law would have at the same sizes: n log n has 1.1 between
-a thousand and a million. No law is declared from time across a cache border; cut the range with --from and --to.
+a thousand and a million. No law is declared from time across the border of a cache (L2 and beyond); cut the range with
+--from and --to.
 
 Examples:
   hullbench fit RUN --counter orient

@@ -32,7 +32,7 @@ use fault::Fault;
 use find::Source;
 use serde::Deserialize;
 use sha2::{Digest, Sha256};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use std::str::FromStr;
 use toml::Spanned;
 
@@ -196,6 +196,7 @@ impl Definition {
             .iter()
             .map(|block| reader.block(block))
             .collect();
+        reader.distinct(&written.cells)?;
         for (engine, reason) in &written.left_out {
             reader.engine(engine, "left_out")?;
             reader.hold(reason, "left_out", "gives no reason", |text| !blank(text))?;
@@ -276,6 +277,28 @@ impl Reader<'_> {
             twin: written.twin.as_ref().map(plain),
             timeout_seconds: plain(&written.timeout_seconds),
         })
+    }
+
+    /// No set may meet the same n twice: the records could not tell the two apart.
+    fn distinct(&self, blocks: &[WrittenBlock]) -> Result<(), Fault> {
+        let mut seen = HashSet::new();
+        for block in blocks {
+            for (set, n) in block
+                .sets
+                .iter()
+                .flat_map(|set| block.n.iter().map(move |n| (set, n)))
+            {
+                if !seen.insert((set.as_ref(), *n.as_ref())) {
+                    let what = format!(
+                        "'{}' with n = {} stands here twice",
+                        set.as_ref(),
+                        n.as_ref()
+                    );
+                    return Err(self.fault(set.span(), "sets", &what));
+                }
+            }
+        }
+        Ok(())
     }
 
     fn set(&self, name: &Spanned<String>) -> Result<point_sets::Spec, Fault> {
@@ -385,6 +408,11 @@ jarvis-j1 = "slow"
                 "twin = \"gs\"",
                 "twin = \"graham\"",
                 "12:8: twin: \"graham\" is none of the engines",
+            ),
+            (
+                "n = [100]",
+                "n = [100, 100]",
+                "8:9: sets: 'disc' with n = 100 stands here twice",
             ),
             ("n = [100]", "n = [0]", "9:6: n: 0 must be at least 1"),
             ("n = [100]", "n = []", "n: is an empty list"),

@@ -4,6 +4,7 @@ use super::client::Launch;
 use super::fault::Fault;
 use super::peers::{self, Peer, Program, build};
 use super::protocol::Problem;
+use super::yardstick::{YARDSTICKS, Yardstick};
 use geometry_core::Method;
 use std::env;
 use std::io;
@@ -60,6 +61,8 @@ fn sources_round(here: &Path) -> Option<PathBuf> {
 pub enum Entry {
     /// One of our methods.
     Own(&'static Method),
+    /// Work of a known size.
+    Yardstick(Yardstick),
     /// A program of others.
     Peer(&'static Program, &'static Peer),
 }
@@ -67,10 +70,11 @@ pub enum Entry {
 /// What marks the twin of an engine, which is the same program measured as if it were another.
 pub const TWIN: &str = "@twin";
 
-/// Every engine: our methods, then the peers.
+/// Every engine: our methods, the yardsticks, the peers.
 pub fn all() -> impl Iterator<Item = Entry> {
     let own = hullkit::methods().filter(|method| Problem::of(method).is_some());
     own.map(Entry::Own)
+        .chain(YARDSTICKS.map(|(yardstick, ..)| Entry::Yardstick(yardstick)))
         .chain(peers::all().map(|(program, peer)| Entry::Peer(program, peer)))
 }
 
@@ -85,6 +89,7 @@ impl Entry {
     pub fn name(&self) -> &'static str {
         match self {
             Entry::Own(method) => method.slug,
+            Entry::Yardstick(yardstick) => yardstick.name(),
             Entry::Peer(_, peer) => peer.name,
         }
     }
@@ -93,6 +98,7 @@ impl Entry {
     pub fn problems(&self) -> Vec<Problem> {
         match self {
             Entry::Own(method) => Problem::of(method).into_iter().collect(),
+            Entry::Yardstick(_) => Problem::ALL.to_vec(),
             Entry::Peer(_, peer) => peer.problems.to_vec(),
         }
     }
@@ -105,10 +111,10 @@ impl Entry {
     pub fn launch(&self, places: &Places) -> Result<Launch, Fault> {
         let engine = self.name().to_owned();
         match self {
-            Entry::Own(method) => Ok(Launch {
+            Entry::Own(_) | Entry::Yardstick(_) => Ok(Launch {
                 engine,
                 program: places.hullbench.clone(),
-                arguments: vec!["engine".into(), method.slug.into()],
+                arguments: vec!["engine".into(), self.name().into()],
             }),
             Entry::Peer(program, peer) => {
                 let built = build::built(program, places);

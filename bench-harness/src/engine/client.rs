@@ -96,7 +96,7 @@ impl Session {
             loaded: None,
             fallen: None,
         };
-        session.receipt = session.ask(Command::Version, &[], limit)?;
+        session.receipt = session.ask(Command::Version, Vec::new(), limit)?;
         let expected = (PROTOCOL, &*launch.engine);
         let got = (session.receipt.protocol, &*session.receipt.engine);
         if got != expected {
@@ -149,9 +149,11 @@ impl Session {
             dimension: D,
             boundary,
         };
-        let coordinates = points.as_flattened().iter();
-        let raw: Vec<u8> = coordinates.flat_map(|x| x.to_le_bytes()).collect();
-        let reply: Loaded = self.ask(Command::Load(load), &raw, limit)?;
+        let mut raw = Vec::with_capacity(size_of_val(points));
+        for x in points.as_flattened() {
+            raw.extend_from_slice(&x.to_le_bytes());
+        }
+        let reply: Loaded = self.ask(Command::Load(load), raw, limit)?;
         if reply.loaded != n {
             return Err(self.fall(garbled(line(&Loaded { loaded: n }), line(&reply))));
         }
@@ -166,7 +168,7 @@ impl Session {
     /// Any fault but [`Fault::Absent`]. Samples that together took longer than it took to get them are garbled.
     pub fn run(&mut self, run: Run, limit: Duration) -> Result<Timed, Fault> {
         let start = Instant::now();
-        let reply: Samples = self.ask(Command::Run(run), &[], limit)?;
+        let reply: Samples = self.ask(Command::Run(run), Vec::new(), limit)?;
         let elapsed = start.elapsed();
         let (came, due) = (reply.nanoseconds.len(), run.samples.get() as usize);
         if came != due {
@@ -194,7 +196,7 @@ impl Session {
             return Err(self.fallen.clone().unwrap_or(Fault::Refused { reason }));
         };
         let deadline = Instant::now() + limit;
-        let header: HullHeader = self.ask(Command::Hull, &[], limit)?;
+        let header: HullHeader = self.ask(Command::Hull, Vec::new(), limit)?;
         let count = header.lengths.saturating_add(header.indices);
         let bytes = count.saturating_mul(size_of::<u32>());
         let most = Answer::most_bytes(load.task, load.n);
@@ -217,7 +219,7 @@ impl Session {
     ///
     /// Any fault but [`Fault::Absent`].
     pub fn counters(&mut self, limit: Duration) -> Result<BTreeMap<String, u64>, Fault> {
-        let reply: Counters = self.ask(Command::Counters, &[], limit)?;
+        let reply: Counters = self.ask(Command::Counters, Vec::new(), limit)?;
         Ok(reply.counters)
     }
 
@@ -231,17 +233,16 @@ impl Session {
     fn ask<T: DeserializeOwned + Serialize>(
         &mut self,
         command: Command,
-        raw: &[u8],
+        raw: Vec<u8>,
         limit: Duration,
     ) -> Result<T, Fault> {
         if let Some(fault) = &self.fallen {
             return Err(fault.clone());
         }
         let deadline = Instant::now() + limit;
-        let mut request = format!("{command}\n").into_bytes();
-        request.extend_from_slice(raw);
         // A writer that is gone has met a closed pipe: what there is to learn comes from the other one.
-        let _ = self.requests.send(request);
+        let _ = self.requests.send(format!("{command}\n").into_bytes());
+        let _ = self.requests.send(raw);
         let expected = || format!("a reply to '{}'", command.word());
         let reply = self.incoming.line(deadline);
         let reply = reply.map_err(|stop| self.stopped(stop, command.word(), expected(), limit))?;

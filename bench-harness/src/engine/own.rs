@@ -7,9 +7,9 @@ use super::answer::Answer;
 use super::meter::{Peak, clock_resolution};
 use super::protocol::{Counters, Load, PROTOCOL, Problem, Receipt, Run};
 use super::server::Engine;
+use crate::counting::counters;
 use geometry_core::{
-    Boundary, Counted, Exact, HullError, Method, Point2, Point3, Points, QuestionCounts,
-    StageCounts, Tally, Task,
+    Boundary, Counted, Exact, HullError, Method, Point2, Point3, Points, Tally, Task,
 };
 use std::collections::BTreeMap;
 use std::hint::black_box;
@@ -94,9 +94,8 @@ impl Own {
             // A triangulation has no counted instance.
             _ => return Ok(BTreeMap::new()),
         }
-        let counts = questions(self.problem, &kernel.counts()).into_iter();
-        let named = counts.chain(steps(&tally));
-        Ok(named
+        let counted = counters(&kernel.counts(), &tally).into_iter();
+        Ok(counted
             .map(|(name, count)| (name.to_owned(), count))
             .collect())
     }
@@ -195,58 +194,4 @@ fn checked<const D: usize>(points: &[[f64; D]]) -> Result<Points<'_, D>, String>
 
 fn refusal(error: HullError) -> String {
     error.to_string()
-}
-
-/// The questions of the kernel that a method for `problem` can ask.
-fn questions(problem: Problem, counts: &QuestionCounts) -> Vec<(&'static str, u64)> {
-    let staged: &[(&str, StageCounts)] = match problem {
-        Problem::Hull3 => &[
-            ("orientations", counts.orientations_in_space),
-            ("heights", counts.heights),
-            ("shadows", counts.shadows),
-        ],
-        _ => &[
-            ("orientations", counts.orientations),
-            ("distances", counts.distances),
-        ],
-    };
-    let plain: &[(&str, u64)] = match problem {
-        Problem::Hull3 => &[("lexicographic", counts.lexicographic)],
-        _ => &[
-            ("along", counts.along),
-            ("lexicographic", counts.lexicographic),
-            ("angles", counts.angles),
-        ],
-    };
-    let sum = |part: fn(&StageCounts) -> u64| staged.iter().map(|(_, count)| part(count)).sum();
-    let totals = staged.iter().map(|(name, count)| (*name, count.total()));
-    totals
-        .chain(plain.iter().copied())
-        .chain([
-            ("questions", counts.total()),
-            ("settled_adaptively", sum(|count| count.adaptive)),
-            ("settled_by_integers", sum(|count| count.integer)),
-        ])
-        .collect()
-}
-
-/// The steps that an observer heard of.
-fn steps(tally: &Tally) -> [(&'static str, u64); 15] {
-    [
-        ("visits", tally.visits),
-        ("lines", tally.lines),
-        ("apexes", tally.apexes),
-        ("edges", tally.edges),
-        ("pushes", tally.pushes),
-        ("pops", tally.pops),
-        ("discards", tally.discards),
-        ("inserts", tally.inserts),
-        ("bridges", tally.bridges),
-        ("merges", tally.merges),
-        ("facets", tally.facets),
-        ("drops", tally.drops),
-        ("candidates", tally.candidates),
-        ("layers", tally.layers),
-        ("storage", tally.storage),
-    ]
 }

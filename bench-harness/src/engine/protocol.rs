@@ -30,6 +30,14 @@ pub enum Problem {
 }
 
 impl Problem {
+    /// Every problem.
+    pub const ALL: [Problem; 4] = [
+        Problem::Hull2,
+        Problem::Hull3,
+        Problem::Layers,
+        Problem::Delaunay,
+    ];
+
     /// The number of coordinates of a point.
     pub fn dimension(self) -> usize {
         match self {

@@ -4,9 +4,9 @@
 //! checker; and of one that is refuted it is said which extreme points it misses, how far outside they lie, and which
 //! of its vertices are none.
 
-use crate::claimed;
 use crate::counting::PointSet;
 use crate::engine::answer::Answer;
+use crate::engine::cut::cuts_up;
 use crate::engine::protocol::{Kind, Problem};
 use crate::records::Outcome;
 use geometry_core::{Boundary, Hull2, Hull3, Layers, Points, Triangulation};
@@ -33,6 +33,11 @@ impl Judgement {
             facets: None,
             finding,
         }
+    }
+
+    /// There is no hull to judge, by design.
+    pub(super) fn yardstick(about: &str) -> Self {
+        Self::without_answer(Outcome::Certified, about.to_owned())
     }
 
     fn certified(answer: &Answer, finding: &str) -> Self {
@@ -185,13 +190,8 @@ fn plane(points: &[[f64; 2]], proved: &Hull2, answer: &Answer) -> Result<String,
     if answer.kind() == Kind::Vertices && difference.is_none() {
         return Ok("the set of vertices only".to_owned());
     }
-    if let Some(hull) = &found
-        && check::hull2(points, Boundary::All, hull).is_ok()
-    {
-        return Ok("all points on the boundary, not corners only".to_owned());
-    }
-    if found.is_some() && difference.misses.is_empty() && difference.only_on(points, proved) {
-        return Ok("some points on edges beside the corners".to_owned());
+    if found.is_some() && difference.misses.is_empty() && goes_round(points, answer)? {
+        return Ok("points on edges beside the corners".to_owned());
     }
     let far = difference
         .misses
@@ -210,12 +210,11 @@ fn space(points: &[[f64; 3]], proved: &Hull3, answer: &Answer) -> Result<String,
         return Ok("the set of vertices only".to_owned());
     }
     if difference.is_none() {
-        let polygons = answer.parts().map(<[u32]>::to_vec).collect();
-        let hull = claimed::spatial(points_view, &answer.vertices(), polygons);
-        return match claimed::certify3(points_view, &hull) {
-            Ok(_) => Ok("facets cut into triangles".to_owned()),
-            Err(findings) => Err(format!("the right vertices; {}", first(&findings))),
-        };
+        let cut = answer
+            .triangles()
+            .ok_or("the right vertices, but other facets")?;
+        cuts_up(&cut, proved).map_err(|what| format!("the right vertices; {what}"))?;
+        return Ok("facets cut into triangles".to_owned());
     }
     let planes: Vec<Plane> = answer
         .parts()
@@ -273,20 +272,6 @@ impl Difference {
         self.misses.is_empty() && self.extra.is_empty()
     }
 
-    /// Whether every extra vertex lies on an edge of the hull or copies a vertex of it.
-    fn only_on(&self, points: &[[f64; 2]], proved: &Hull2) -> bool {
-        use geometry_core::{Exact, Kernel2};
-        let at = |id: u32| points[id as usize];
-        let corners = proved.vertices();
-        let edges = corners.iter().zip(corners.iter().cycle().skip(1));
-        let edges: Vec<_> = edges.map(|(&a, &b)| (at(a), at(b))).collect();
-        self.extra.iter().all(|&id| {
-            edges
-                .iter()
-                .any(|&(a, b)| Exact.orient(a, b, at(id)).is_zero())
-        })
-    }
-
     /// In words; `far` is how far outside the furthest missed point lies, for coordinates up to `largest`.
     fn said(&self, far: f64, largest: f64) -> String {
         let mut parts = Vec::new();
@@ -308,6 +293,19 @@ impl Difference {
         }
         parts.join("; ")
     }
+}
+
+/// Whether the cycle of `answer` visits points on the boundary only, in the order in which they lie on it.
+fn goes_round(points: &[[f64; 2]], answer: &Answer) -> Result<bool, String> {
+    let ring = hullkit::convex_hull_2d_with(points, Boundary::All).map_err(|e| e.to_string())?;
+    check::hull2(points, Boundary::All, &ring).map_err(|findings| first(&findings))?;
+    let places: HashMap<u32, usize> = ring.vertices().iter().copied().zip(0..).collect();
+    let cycle = answer.parts().flatten().map(|id| places.get(id).copied());
+    let Some(cycle) = cycle.collect::<Option<Vec<usize>>>() else {
+        return Ok(false);
+    };
+    let steps = cycle.iter().zip(cycle.iter().cycle().skip(1));
+    Ok(steps.filter(|(from, to)| from >= to).count() <= 1)
 }
 
 fn largest(coordinates: &[f64]) -> f64 {
@@ -401,7 +399,9 @@ mod tests {
         );
         let all = says(Kind::Cycle, &[0, 4, 1, 2, 3]);
         assert_eq!(all.outcome, Outcome::Certified);
-        assert!(all.finding.contains("boundary"));
+        assert!(all.finding.contains("on edges"));
+        let displaced = says(Kind::Cycle, &[0, 1, 4, 2, 3]);
+        assert_eq!(displaced.outcome, Outcome::Wrong);
         let misses = says(Kind::Cycle, &[0, 1, 2]);
         assert_eq!(misses.outcome, Outcome::Wrong);
         assert!(

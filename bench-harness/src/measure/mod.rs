@@ -13,6 +13,7 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | [`roster`] | who can take part |
 //! | [`plan`] | the stops of a run, in order |
 //! | [`realisation`] | the points of a stop |
 //! | [`judge`] | whether an answer is right, and how wrong a wrong one is |
@@ -24,17 +25,18 @@ mod judge;
 mod ledger;
 mod plan;
 mod realisation;
+mod roster;
 mod stop;
 mod warnings;
 
 use crate::definition::Definition;
-use crate::engine::catalogue::{self, Places};
 use crate::failure::Failure;
 use crate::output::target::to_stdout;
 use crate::progress::Progress;
 use crate::records::Outcome;
 use anyhow::Result;
 use ledger::Ledger;
+use roster::{Guest, Roster};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -69,6 +71,10 @@ pub struct Args {
     /// Only these engines [default: all of the definition]
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     engines: Vec<String>,
+
+    /// A program of your own that speaks the protocol: it takes part in every cell; may be given several times
+    #[arg(long = "with", value_name = "NAME=PROGRAM")]
+    guests: Vec<Guest>,
 
     /// No more points than this [default: no limit]
     #[arg(long, value_name = "N")]
@@ -109,9 +115,11 @@ pub fn verify(args: &Args) -> Result<()> {
 
 fn run(args: &Args, depth: Depth) -> Result<()> {
     let started = Instant::now();
-    let definitions = definitions(&args.names)?;
+    let roster = Roster::new(&args.guests)?;
+    let definitions = definitions(&args.names, &roster)?;
     let selection = plan::Selection {
         engines: args.engines.clone(),
+        guests: args.guests.iter().map(|guest| guest.name.clone()).collect(),
         at_most: args.at_most,
         realisations: args.realisations,
     };
@@ -121,7 +129,6 @@ fn run(args: &Args, depth: Depth) -> Result<()> {
         .clone()
         .unwrap_or_else(|| PathBuf::from("runs").join(args.names.join("+")));
     let mut ledger = Ledger::open(&folder, &definitions, &command(args, depth))?;
-    let places = Places::find(None, None)?;
     let progress = Progress::start("measure", stops.len());
     for stop in &stops {
         if args
@@ -131,7 +138,7 @@ fn run(args: &Args, depth: Depth) -> Result<()> {
             ledger.note(&format!("the budget is used up before {}", stop.name()));
             break;
         }
-        stop::visit(stop, depth, &places, &mut ledger)?;
+        stop::visit(stop, depth, &roster, &mut ledger)?;
         progress.finished(&stop.name());
     }
     drop(progress);
@@ -166,14 +173,8 @@ fn summary(ledger: &Ledger) -> Result<()> {
 }
 
 /// The definitions called `names`, each a definition, a group or a file.
-fn definitions(names: &[String]) -> Result<Vec<Definition>> {
-    let known = |name: &str, problem| match catalogue::find(name) {
-        None => Err(format!("no engine is called '{name}'")),
-        Some(entry) if !entry.problems().contains(&problem) => {
-            Err(format!("'{name}' does not compute {problem}"))
-        }
-        Some(_) => Ok(()),
-    };
+fn definitions(names: &[String], roster: &Roster) -> Result<Vec<Definition>> {
+    let known = |name: &str, problem| roster.knows(name, problem);
     let mut found: Vec<Definition> = Vec::new();
     let all = Definition::all(&known)?;
     for name in names {
@@ -215,6 +216,11 @@ fn command(args: &Args, depth: Depth) -> String {
     if !args.engines.is_empty() {
         words.push(format!("--engines {}", args.engines.join(",")));
     }
+    let guests = args
+        .guests
+        .iter()
+        .map(|guest| format!("--with {}=...", guest.name));
+    words.extend(guests);
     words.extend(args.at_most.map(|n| format!("--at-most {n}")));
     words.extend(args.realisations.map(|n| format!("--realisations {n}")));
     words.join(" ")
@@ -249,8 +255,9 @@ mod tests {
 
     #[test]
     fn every_definition_is_valid_and_found_by_its_group() {
-        let all = definitions(&["curated".to_owned()]).expect("valid definitions");
-        assert!(!all.is_empty());
-        assert!(definitions(&["nothing".to_owned()]).is_err());
+        let roster = Roster::new(&[]).expect("a place to look");
+        let called = |name: &str| definitions(&[name.to_owned()], &roster);
+        assert!(!called("curated").expect("valid definitions").is_empty());
+        assert!(called("nothing").is_err());
     }
 }

@@ -40,6 +40,8 @@ impl Stop<'_> {
 pub(crate) struct Selection {
     /// Only these engines; none stands for all.
     pub(crate) engines: Vec<String>,
+    /// Engines beside those of the definition.
+    pub(crate) guests: Vec<String>,
     pub(crate) at_most: Option<usize>,
     pub(crate) realisations: Option<u64>,
 }
@@ -47,17 +49,12 @@ pub(crate) struct Selection {
 impl Selection {
     fn engines(&self, block: &Block) -> Vec<String> {
         let wanted = |engine: &&String| self.engines.is_empty() || self.engines.contains(engine);
-        let twin = block
-            .twin
-            .iter()
-            .filter(wanted)
-            .map(|engine| format!("{engine}@twin"));
-        block
-            .engines
-            .iter()
-            .filter(wanted)
-            .cloned()
+        let twin = block.twin.iter().filter(wanted);
+        let twin = twin.map(|engine| format!("{engine}@twin"));
+        let engines = block.engines.iter().filter(wanted).cloned();
+        engines
             .chain(twin)
+            .chain(self.guests.iter().cloned())
             .collect()
     }
 }

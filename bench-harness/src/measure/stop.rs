@@ -5,9 +5,9 @@ use super::judge::{Judgement, Reference};
 use super::ledger::Ledger;
 use super::plan::Stop;
 use super::realisation::Realisation;
+use super::roster::Roster;
 use crate::counting::PointSet;
 use crate::definition::Measure;
-use crate::engine::catalogue::{self, Places};
 use crate::engine::client::Session;
 use crate::engine::fault::Fault;
 use crate::engine::protocol::{Convention, Run};
@@ -38,7 +38,7 @@ struct Contestant {
 pub(super) fn visit(
     stop: &Stop<'_>,
     depth: Depth,
-    places: &Places,
+    roster: &Roster,
     ledger: &mut Ledger,
 ) -> Result<()> {
     let wants = |measure| depth == Depth::Measure && stop.block.measure.contains(&measure);
@@ -62,7 +62,7 @@ pub(super) fn visit(
         let subject = subject(stop, engine);
         let entered = match ledger.given_up(&subject) {
             Some(finding) => Err((Outcome::Timeout, finding)),
-            None => enter(stop, &subject, &realisation, &mut reference, places, ledger),
+            None => enter(stop, &subject, &realisation, &mut reference, roster, ledger),
         };
         let cell = match entered {
             Ok((contestant, judgement)) => {
@@ -119,14 +119,11 @@ fn enter(
     subject: &Subject,
     realisation: &Realisation,
     reference: &mut Reference,
-    places: &Places,
+    roster: &Roster,
     ledger: &mut Ledger,
 ) -> Result<(Contestant, Judgement), (Outcome, String)> {
     let mut tried = || -> Result<(Session, Judgement, Duration), Fault> {
-        let entry = catalogue::find(&subject.engine).ok_or_else(|| Fault::Absent {
-            missing: "no engine of this name".to_owned(),
-        })?;
-        let mut session = Session::start(&entry.launch(places)?, POLITE)?;
+        let mut session = Session::start(&roster.launch(&subject.engine)?, POLITE)?;
         ledger.met(&subject.engine, session.receipt());
         let problem = stop.definition.problem;
         match &realisation.sets[0] {
@@ -138,6 +135,9 @@ fn enter(
             }
         }
         let timed = session.run(Run::ONCE, limit(stop))?;
+        if let Some(about) = roster.yardstick(&subject.engine) {
+            return Ok((session, Judgement::yardstick(about), timed.elapsed));
+        }
         let mut judgements = Vec::new();
         for (number, set) in realisation.sets.iter().enumerate().take(1) {
             let answer = session.hull(limit(stop))?;

@@ -6,17 +6,19 @@
 //! | [`wilson`] | between which proportions does k of n leave the truth |
 //! | [`bootstrap`] | how far would a median move with other realisations |
 //! | [`kendall`] | how alike are two orders |
-//! | [`line`] | slope of a weighted line, and its interval |
+//! | [`mod@line`] | slope of a weighted line, and its interval |
 //! | `logistic` | where does a share of successes fall to a half |
 //! | `models` | which laws of growth may a cost follow |
 //! | [`interval`] | what an interval says about a target or a bound |
 //! | [`holm`] | which of many small p-values are still small together |
+//! | [`freedom`] | how many degrees of freedom clusters leave |
 //! | [`wilcoxon`] | whether differences have their middle at zero |
 //! | [`spearman`] | whether one thing rises with another |
 //! | [`runs_test`] | whether signs come in too few runs |
 //! | [`growth`] | by which law a cost grows, if the data can tell |
 
 pub mod bootstrap;
+pub mod freedom;
 pub mod growth;
 pub mod holm;
 pub mod interval;

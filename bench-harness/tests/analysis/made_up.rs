@@ -26,6 +26,10 @@ pub(crate) struct MadeUp {
     pub(crate) noise: f64,
     /// Scatter by place in memory, from run to run.
     pub(crate) placement: f64,
+    /// Scatter of what engine and realisation have of their own.
+    pub(crate) own: f64,
+    /// What the realisations are; the same in runs to be compared.
+    pub(crate) world: u64,
     /// The cost of a point set, as a function of n.
     pub(crate) law: fn(f64) -> f64,
     /// What differs from run to run.
@@ -52,6 +56,8 @@ impl MadeUp {
             twins: vec!["gs", "qhull"],
             noise: 0.02,
             placement: 0.004,
+            own: 0.05,
+            world: 0,
             law: |n| 8.0 * n * n.ln(),
             seed,
         }
@@ -96,7 +102,8 @@ impl MadeUp {
             .map(|_| (self.placement * normal(random)).exp())
             .collect();
         for seed in 0..self.seeds {
-            let mut own = ChaCha8Rng::seed_from_u64(seed ^ (case.n as u64) << 20);
+            let mut own =
+                ChaCha8Rng::seed_from_u64(seed ^ (case.n as u64) << 20 ^ self.world << 50);
             let realisation = (0.1 * normal(&mut own)).exp();
             let h = (3.0 * (case.n as f64).cbrt() * (0.05 * normal(&mut own)).exp()).round();
             let cost = (self.law)(case.n as f64) * realisation;
@@ -107,7 +114,7 @@ impl MadeUp {
             };
             let mut own_factors = Vec::new();
             for (engine, factor) in &self.engines {
-                own_factors.push(factor * (0.05 * normal(&mut own)).exp());
+                own_factors.push(factor * (self.own * normal(&mut own)).exp());
                 rows.cells.push(Cell {
                     subject: subject(engine),
                     fingerprint: format!("{}-{seed}", case.n),
@@ -166,10 +173,9 @@ fn manifest() -> Manifest {
     Manifest {
         commit: "0123abc".into(),
         processor: "made up".into(),
-        caches: vec![Cache {
-            level: 2,
-            bytes: 1 << 20,
-        }],
+        caches: [(1, 1 << 15), (2, 1 << 20)]
+            .map(|(level, bytes)| Cache { level, bytes })
+            .to_vec(),
         engines: vec![EngineStamp {
             name: "qhull".into(),
             version: "2020.2".into(),

@@ -18,6 +18,7 @@
 //! ```
 
 mod delaunay;
+mod space;
 pub mod sweep;
 
 pub use delaunay::{delaunay, delaunay_by};
@@ -31,7 +32,7 @@ use geometry_core::{Exact, Silent};
 
 /// Every registered method, family by family.
 pub fn methods() -> impl Iterator<Item = &'static Method> {
-    let families: [&'static [Method]; 7] = [
+    let families: [&'static [Method]; 8] = [
         planar_peeling::METHODS,
         quickhull::METHODS,
         gift_wrap::METHODS,
@@ -39,6 +40,7 @@ pub fn methods() -> impl Iterator<Item = &'static Method> {
         divide_and_conquer::METHODS,
         lifted_delaunay::METHODS,
         delaunay::METHODS,
+        space::METHODS,
     ];
     families.into_iter().flatten()
 }
@@ -73,6 +75,31 @@ pub fn convex_hull_2d_with(points: &[[f64; 2]], boundary: Boundary) -> Result<Hu
     quickhull::convex_hull(points, boundary)
 }
 
+/// [`convex_hull_2d_with`] on several processors, as many as the current rayon thread pool has. The same result.
+///
+/// # Errors
+///
+/// As [`convex_hull_2d`].
+///
+/// # Cost
+///
+/// The work of [`convex_hull_2d`], most of it shared if few points are extreme. Below some 10⁵ points there is nothing
+/// to gain.
+///
+/// ```
+/// use hullkit::Boundary;
+/// let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [2.0, 2.0], [0.0, 2.0]];
+/// let hull = hullkit::convex_hull_2d_parallel(&points, Boundary::Extreme)?;
+/// assert_eq!(hull, hullkit::convex_hull_2d(&points)?);
+/// # Ok::<(), hullkit::HullError>(())
+/// ```
+pub fn convex_hull_2d_parallel(
+    points: &[[f64; 2]],
+    boundary: Boundary,
+) -> Result<Hull2, HullError> {
+    quickhull::convex_hull_parallel(points, boundary)
+}
+
 /// The convex layers of `points`, outermost first.
 ///
 /// # Errors
@@ -97,7 +124,7 @@ pub fn convex_layers(points: &[[f64; 2]], boundary: Boundary) -> Result<Layers, 
 ///
 /// # Cost
 ///
-/// That of method `quickhull-3d`.
+/// That of method `hull-3d`: linear on average where few points are extreme, O(n log n) expected where all are.
 ///
 /// ```
 /// let cube: Vec<[f64; 3]> = (0..8).map(|i| [i & 1, i >> 1 & 1, i >> 2].map(f64::from)).collect();
@@ -106,5 +133,5 @@ pub fn convex_layers(points: &[[f64; 2]], boundary: Boundary) -> Result<Layers, 
 /// # Ok::<(), hullkit::HullError>(())
 /// ```
 pub fn convex_hull_3d(points: &[[f64; 3]]) -> Result<Hull3, HullError> {
-    quickhull::quickhull_3d(Points::new(points)?, &Exact, &mut Silent)
+    space::hull_3d(Points::new(points)?, &Exact, &mut Silent)
 }

@@ -27,7 +27,7 @@ mod spatial;
 
 pub use boxed::{Boxed, Unit};
 
-use crate::kernel::space::{Axis, Kernel3};
+use crate::kernel::space::{Axis, Basis, Kernel3};
 use crate::kernel::{InCircle, Kernel2, Stage};
 use crate::points::{Point2, Point3};
 use crate::sign::Sign;
@@ -73,6 +73,10 @@ impl InCircle for Exact {
 }
 
 impl Kernel3 for Exact {
+    fn basis(&self) -> Basis {
+        Basis::Coordinates
+    }
+
     #[inline(always)]
     fn orient3_staged(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage) {
         spatial::volume(a, b, c, a, d)

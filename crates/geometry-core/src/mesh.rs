@@ -240,13 +240,17 @@ impl TriMesh {
     /// Puts the cone from `apex` over the rim in the place of the triangles `taken_out`, which it empties: as
     /// [`close`](Self::close) after [`remove`](Self::remove), but in the slots just left, while they are in the cache.
     ///
-    /// Returns a triangle of the cone. `horizon` must have at least two sides.
+    /// Returns a triangle of the cone; `None` if `horizon` is not one closed walk of three sides or more past living
+    /// triangles, and then the surface is of no use any more.
     pub fn replace(
         &mut self,
         taken_out: &mut Vec<TriangleId>,
         horizon: &[SideId],
         apex: u32,
-    ) -> TriangleId {
+    ) -> Option<TriangleId> {
+        if horizon.len() < 3 {
+            return None;
+        }
         while taken_out.len() < horizon.len() {
             let slot = self.add([NONE; 3]);
             taken_out.push(slot);
@@ -254,20 +258,27 @@ impl TriMesh {
         for spare in taken_out.drain(horizon.len()..) {
             self.free.push(spare.0);
         }
+        let first = taken_out[0];
         let mut before = taken_out[taken_out.len() - 1];
-        for (i, &beyond) in horizon.iter().enumerate() {
-            let triangle = taken_out[i];
-            let after = taken_out.get(i + 1).unwrap_or(&taken_out[0]);
-            let corners = [self.target(beyond), self.origin(beyond), apex];
+        let mut begins = self.origin(horizon[horizon.len() - 1]);
+        let mut is_closed = true;
+        let mut triangles = taken_out.drain(..).peekable();
+        for &beyond in horizon {
+            let Some(triangle) = triangles.next() else {
+                break;
+            };
+            let after = triangles.peek().copied().unwrap_or(first);
+            let [from, to] = [self.target(beyond), self.origin(beyond)];
+            is_closed &= from == begins && self.is_alive(beyond.triangle());
+            begins = to;
             self.triangles[triangle.0 as usize] = Triangle {
-                origins: corners,
+                origins: [from, to, apex],
                 twins: [beyond.0, after.side(2).0, before.side(1).0],
             };
             self.triangles[beyond.slot()].twins[beyond.corner()] = triangle.side(0).0;
             before = triangle;
         }
-        taken_out.clear();
-        before
+        is_closed.then_some(before)
     }
 
     /// Checks the invariants: for tests and debug assertions. O(triangles).

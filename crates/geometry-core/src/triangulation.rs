@@ -89,11 +89,16 @@ impl Triangulation {
     }
 }
 
-/// The same triangle from its smallest corner. Without branches, which nothing could predict.
+/// The same triangle from its smallest corner. Short-circuits nothing, as nothing could predict it.
 #[inline(always)]
 fn smallest_first([a, b, c]: [u32; 3]) -> [u32; 3] {
-    let [a, b, c] = if b < a { [b, c, a] } else { [a, b, c] };
-    if c < a { [c, a, b] } else { [a, b, c] }
+    if (b < a) & (b <= c) {
+        [b, c, a]
+    } else if (c < a) & (c < b) {
+        [c, a, b]
+    } else {
+        [a, b, c]
+    }
 }
 
 /// The triangles in lexicographic order: each put into its place by its first corner, and then the few with the same first
@@ -142,5 +147,53 @@ fn sort_star(star: &mut [[u32; 3]]) {
             place -= 1;
         }
         star[place] = triangle;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_triangle_begins_with_its_smallest_corner_wherever_it_was() {
+        for corners in [
+            [1, 2, 3],
+            [1, 3, 2],
+            [2, 1, 3],
+            [2, 3, 1],
+            [3, 1, 2],
+            [3, 2, 1],
+        ] {
+            let mut expected = corners;
+            let first = (0..3).min_by_key(|&i| corners[i]).unwrap_or(0);
+            expected.rotate_left(first);
+            assert_eq!(smallest_first(corners), expected, "{corners:?}");
+        }
+    }
+
+    /// Triangles with every rotation and many equal first corners, by counting and by comparing.
+    #[test]
+    fn counting_and_comparing_give_the_same_order() {
+        for len in [0, 1, FEW, FEW + 1, 40 * FEW] {
+            let corner = |i: usize| (i as u32).wrapping_mul(2_654_435_761) >> 20;
+            let triangles = (0..len).map(|i| [i, i + len, i + 2 * len].map(corner));
+            let canonical = |corners: &[u32; 3]| {
+                let first = (0..3).min_by_key(|&i| corners[i]).unwrap_or(0);
+                [0, 1, 2].map(|i| corners[(first + i) % 3])
+            };
+            let mut expected: Vec<[u32; 3]> = triangles.clone().map(|t| canonical(&t)).collect();
+            expected.sort_unstable();
+            let triangulation = Triangulation::new(triangles.collect());
+            assert_eq!(triangulation.triangles(), expected);
+        }
+    }
+
+    #[test]
+    fn indices_far_apart_are_sorted_too() {
+        let far = u32::MAX - 1;
+        let triangles = (0..100).map(|i| [far - i, 7, far - 2 * i]).collect();
+        let triangulation = Triangulation::new(triangles);
+        assert!(triangulation.triangles().is_sorted());
+        assert!(triangulation.triangles().iter().all(|t| t[0] == 7));
     }
 }

@@ -106,9 +106,10 @@ pub fn incremental_brio<K: Kernel3, O: Observer>(
     let moved: Vec<Point3> = names.iter().map(|&id| points[id]).collect();
     let moved = Points::new(&moved)?;
     let mut surface = Surface::of_first_four(moved, names, Perturbed(kernel), observer);
+    let mut region = Region::default();
     for p in moved.ids().skip(4) {
         match surface.locate(p)? {
-            Place::SeenFacet(facet) => surface.insert(p, facet)?,
+            Place::Outside(side, behind) => surface.insert(p, side, behind, &mut region)?,
             Place::CoveredBy(facet) => surface.discard(p, facet),
         }
     }
@@ -130,7 +131,6 @@ struct Surface<'a, K, O> {
     mesh: TriMesh,
     /// The facet made or met last.
     latest: TriangleId,
-    region: Region,
 }
 
 impl<'a, K: Kernel3, O: Observer> Surface<'a, K, O> {
@@ -153,7 +153,6 @@ impl<'a, K: Kernel3, O: Observer> Surface<'a, K, O> {
             observer,
             mesh,
             latest: TriangleId(0),
-            region: Region::default(),
         }
     }
 

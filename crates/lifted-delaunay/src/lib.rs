@@ -50,7 +50,7 @@
 pub mod fast;
 pub mod voronoi;
 
-pub use fast::fast_delaunay;
+pub use fast::{fast_delaunay, fast_delaunay_counted};
 pub use voronoi::{Voronoi, VoronoiEdge};
 
 use geometry_core::{

@@ -1,9 +1,10 @@
 //! `fast-layers` against the monotone chain, and what it asks.
 
 use geometry_core::{Boundary, Counted, Exact, Hull2, Layers, Points, Silent};
+use hull_verify::conformance::hostile::Hostile;
 use hull_verify::families::{curves, few, grids, lines, random};
 use planar_peeling::chain_peel::chain_peel;
-use planar_peeling::fast_layers::fast_layers;
+use planar_peeling::fast_layers::{fast_layers, fast_layers_in_portions};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -14,18 +15,26 @@ fn fast(points: &[[f64; 2]], boundary: Boundary) -> Layers {
     fast_layers(points, boundary, &Exact, &mut Silent).expect("no errors")
 }
 
+fn in_portions(points: &[[f64; 2]], boundary: Boundary, portion: usize) -> Layers {
+    let points = Points::new(points).expect("finite points");
+    fast_layers_in_portions(points, boundary, portion, &Exact, &mut Silent).expect("no errors")
+}
+
 fn by_chains(points: &[[f64; 2]], boundary: Boundary) -> Layers {
     let points = Points::new(points).expect("finite points");
     chain_peel(points, boundary, &Exact, &mut Silent).expect("no errors")
 }
 
-/// Up to 150 points of a small lattice, sheared or not: copies, equal x, many collinear.
+/// Up to 300 points of a small lattice, sheared or not: copies, equal x, many collinear. Or of a disc.
 fn degenerate(rng: &mut ChaCha8Rng) -> Vec<[f64; 2]> {
     let most = [8, 40, 150, 300][rng.random_range(0..4)];
     let n = rng.random_range(0..most);
     let [width, height] = [0, 1].map(|_| [1, 2, 4, 9, 30, 1000][rng.random_range(0..6)]);
     let shear = f64::from(rng.random_range(0..3));
     let unit = [1.0, 0.1][rng.random_range(0..2)];
+    if rng.random_range(0..4) == 0 {
+        return random::disc(rng.random(), n);
+    }
     (0..n)
         .map(|_| {
             let [x, y] = [width, height].map(|size| f64::from(rng.random_range(0..size)));
@@ -43,11 +52,14 @@ fn gives_what_chains_give() {
     for seed in 0..sets {
         let points = degenerate(&mut ChaCha8Rng::seed_from_u64(seed));
         for boundary in BOUNDARIES {
-            assert_eq!(
-                fast(&points, boundary),
-                by_chains(&points, boundary),
-                "seed {seed}, {boundary:?}: {points:?}"
-            );
+            let expected = by_chains(&points, boundary);
+            let context = || format!("seed {seed}, {boundary:?}: {points:?}");
+            assert!(fast(&points, boundary) == expected, "{}", context());
+            // Sets as small as these are one portion otherwise.
+            for portion in [1, 10] {
+                let found = in_portions(&points, boundary, portion);
+                assert!(found == expected, "portions of {portion}, {}", context());
+            }
         }
     }
 }
@@ -116,8 +128,30 @@ fn gives_what_chains_give_on_larger_sets() {
         for n in [333, 1_500, 5_000] {
             for boundary in BOUNDARIES {
                 let points = make(n);
-                let equal = fast(&points, boundary) == by_chains(&points, boundary);
-                assert!(equal, "{name} {n}, {boundary:?}");
+                let expected = by_chains(&points, boundary);
+                for portion in [50, 400, 4096] {
+                    let equal = in_portions(&points, boundary, portion) == expected;
+                    assert!(equal, "{name} {n}, portions of {portion}, {boundary:?}");
+                }
+            }
+        }
+    }
+}
+
+/// Also where only one half of the hull knows of a point.
+#[test]
+fn contradictory_answers_do_no_harm() {
+    for (name, make) in FAMILIES {
+        for kernel in Hostile::all() {
+            for portion in [1, 10, 4096] {
+                let points = make(500);
+                let view = Points::new(&points).expect("finite points");
+                let all = Boundary::All;
+                let layers = fast_layers_in_portions(view, all, portion, &kernel, &mut Silent);
+                let layers = layers.expect("no errors");
+                let ranks = 1..=layers.len() as u32;
+                let ranked = layers.c_ranks().iter().all(|rank| ranks.contains(rank));
+                assert!(ranked, "{name}, {}, portions of {portion}", kernel.name());
             }
         }
     }

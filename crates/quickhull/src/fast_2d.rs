@@ -35,15 +35,24 @@
 //! When most points are extreme it is a sort and a scan; when they lie on a line but for rounding, a scan that asks
 //! for exact arithmetic at every point.
 
+mod cascade;
 mod chains;
+mod core;
 mod extremes;
 mod order;
+mod parallel;
 mod polygon;
+mod region;
+#[cfg(test)]
+mod tests;
 mod throw_away;
 
+use cascade::Cascade;
 use chains::{Candidates, hull_of};
 use geometry_core::{Boundary, Exact, Hull2, HullError, Kernel2, Observer, Point2, Points, Silent};
-use throw_away::{Kept, Left, throw_away};
+pub use parallel::{PARALLEL_DEPARTURES, convex_hull_parallel, fast_2d_parallel};
+use region::Kept;
+use throw_away::{Left, throw_away};
 
 /// Where this file departs from the papers, and from the rule that an algorithm compares no coordinates.
 pub const DEPARTURES: &[&str] = &[
@@ -82,7 +91,7 @@ pub fn fast_2d<K: Kernel2, O: Observer>(
     observer: &mut O,
 ) -> Result<Hull2, HullError> {
     let mut kept = Kept::default();
-    let candidates = candidates(points.as_slice(), &mut kept, observer);
+    let candidates = candidates(points.as_slice(), &mut kept, observer, in_order);
     Ok(hull_of(candidates, boundary, kernel, observer))
 }
 
@@ -112,13 +121,17 @@ pub fn fast_2d<K: Kernel2, O: Observer>(
 /// # Ok::<(), HullError>(())
 /// ```
 pub fn convex_hull(points: &[Point2], boundary: Boundary) -> Result<Hull2, HullError> {
+    hull_of_unseen(points, boundary, in_order)
+}
+
+/// The hull of points of which only those that may be vertices are searched for coordinates that are not finite.
+fn hull_of_unseen(points: &[Point2], boundary: Boundary, sift: Sift) -> Result<Hull2, HullError> {
     if u32::try_from(points.len()).is_err() {
-        return Err(HullError::TooManyPoints {
-            count: points.len(),
-        });
+        let count = points.len();
+        return Err(HullError::TooManyPoints { count });
     }
     let mut kept = Kept::default();
-    let candidates = candidates(points, &mut kept, &mut Silent);
+    let candidates = candidates(points, &mut kept, &mut Silent, sift);
     if Points::new(candidates.points).is_err() {
         // Names the first of all points, at leisure.
         Points::new(points)?;
@@ -126,13 +139,22 @@ pub fn convex_hull(points: &[Point2], boundary: Boundary) -> Result<Hull2, HullE
     Ok(hull_of(candidates, boundary, &Exact, &mut Silent))
 }
 
+/// A pass over all points.
+type Sift<O = Silent> = fn(&Cascade, &[Point2], &mut Kept, &mut O);
+
+/// The pass of one thread.
+fn in_order<O: Observer>(cascade: &Cascade, points: &[Point2], kept: &mut Kept, observer: &mut O) {
+    cascade.sift(points, 0, kept, observer);
+}
+
 /// The points that may be vertices, in `kept` unless they are all.
 fn candidates<'a, O: Observer>(
     points: &'a [Point2],
     kept: &'a mut Kept,
     observer: &mut O,
+    sift: Sift<O>,
 ) -> Candidates<'a> {
-    match throw_away(points, kept, observer) {
+    match throw_away(points, kept, observer, sift) {
         Left::All => Candidates { points, ids: None },
         Left::Kept => Candidates {
             points: &kept.points,

@@ -9,10 +9,10 @@
 //! **Essence.**
 //!
 //! 1. Find the hull of a sample, in the same way.
-//! 2. From a centre in it, map directions to how far that hull certainly reaches ([`directions`]). One look-up and one product
+//! 2. From a centre in it, map directions to how far that hull certainly reaches (`directions`). One look-up and one product
 //!    discard a point.
-//! 3. Run quickhull on the points left, with a rounded height and a proved bound for each facet ([`plane`]), the
-//!    points moved in memory and not chased ([`sets`]), and points in the plane of a facet counted as inside ([`surface`]).
+//! 3. Run quickhull on the points left, with a rounded height and a proved bound for each facet (`plane`), the
+//!    points moved in memory and not chased (`sets`), and points in the plane of a facet counted as inside (`surface`).
 //! 4. Merge coplanar triangles, exactly, and drop corners that are not extreme.
 //!
 //! **Bound.** Of n points, a share of h(m)/m lies outside the hull of a sample of m, where h(m) is the number of extreme
@@ -38,14 +38,17 @@ mod sets;
 mod simplex;
 mod surface;
 
+use crate::quickhull_3d;
 use directions::DirectionMap;
-use geometry_core::{Hull3, HullError, Kernel3, Observer, Points};
+use geometry_core::{Basis, Hull3, HullError, Kernel3, Observer, Points};
 use left::Left;
 use renumbered::Renumbered;
 use surface::{Surface, surface};
 
 /// Where this method departs from the published one, and why.
 pub const DEPARTURES: &[&str] = &[
+    "under a kernel whose answers are not about the coordinates themselves, such as that of lifted points, it is \
+     quickhull-3d",
     "answers that rounded arithmetic is proved to give right are not asked of the kernel, so a kernel is only asked the \
      others; Step::Visit tells each test of a point against a plane or the map",
     "points inside the hull of a sample are discarded first",
@@ -80,6 +83,10 @@ pub fn fast_3d<K: Kernel3, O: Observer>(
     kernel: &K,
     observer: &mut O,
 ) -> Result<Hull3, HullError> {
+    // What is discarded is discarded for its coordinates, which must be what the kernel answers about.
+    if kernel.basis() == Basis::Other {
+        return quickhull_3d(points, kernel, observer);
+    }
     let Some(map) = map_of_sample(points, None, kernel, observer)? else {
         let mut observer = Renumbered {
             observer,
@@ -157,20 +164,13 @@ fn map_of_sample<K: Kernel3, O: Observer>(
     Ok(DirectionMap::of(points_left, &mesh, side, &sample.points))
 }
 
-/// The size of the sample of n points.
+/// The size of the sample of n points: where a ball's points left and its sample cost about as much.
 fn sample_size(n: usize) -> usize {
-    let factor: f64 = std::env::var("SF")
-        .ok()
-        .and_then(|s| s.parse().ok())
-        .unwrap_or(8.0);
-    ((n as f64).sqrt() * factor) as usize
+    8 * n.isqrt()
 }
 
-/// How many cells to the side of a face of the cube.
+/// How many cells to the side of a face of the cube: more would not fit the cache, or not pay.
 fn cells_to_a_side(n: usize) -> usize {
-    if let Some(k) = std::env::var("KK").ok().and_then(|s| s.parse().ok()) {
-        return k;
-    }
     if n < 1 << 15 {
         8
     } else if n < 1 << 18 {

@@ -42,7 +42,7 @@ pub fn engine(name: &str) -> Option<Box<dyn Engine>> {
             |(vertices, triangles), _| {
                 let at = |id: u32| {
                     let p = vertices[id as usize];
-                    Vertex::At(vec![p.x, p.y, p.z])
+                    Vertex::At([p.x, p.y, p.z])
                 };
                 triangulation(triangles.iter().map(|triangle| triangle.map(at)))
             },
@@ -66,7 +66,7 @@ pub fn engine(name: &str) -> Option<Box<dyn Engine>> {
                 done.map_err(|error| error.to_string())
             }),
             |result, _| {
-                let at = |p: Point2<f64>| Vertex::At(vec![p.x, p.y]);
+                let at = |p: Point2<f64>| Vertex::At([p.x, p.y, 0.0]);
                 triangulation(result.inner_faces().map(|face| face.positions().map(at)))
             },
         )),
@@ -104,7 +104,7 @@ fn geo(function: fn(Vec<Coord>) -> Result<LineString, String>) -> Box<dyn Engine
             } else {
                 &ring.0
             };
-            cycle(open.iter().map(|c| Vertex::At(vec![c.x, c.y])))
+            cycle(open.iter().map(|c| Vertex::At([c.x, c.y, 0.0])))
         },
     ))
 }
@@ -112,7 +112,10 @@ fn geo(function: fn(Vec<Coord>) -> Result<LineString, String>) -> Box<dyn Engine
 /// Its facets are edges in the plane, triangles in space.
 fn read_chull(hull: &chull::ConvexHull<f64>, task: &str) -> Hull {
     let (vertices, ids) = hull.vertices_indices();
-    let at = |id: usize| Vertex::At(vertices[id].clone());
+    let at = |id: usize| {
+        let at = |axis| vertices[id].get(axis).copied().unwrap_or(0.0);
+        Vertex::At([at(0), at(1), at(2)])
+    };
     if task == "hull3" {
         return triangulation(ids.chunks(3).map(|t| [t[0], t[1], t[2]].map(at)));
     }

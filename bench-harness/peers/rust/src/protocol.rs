@@ -23,7 +23,8 @@ impl Points {
 /// A vertex of a result: a point of the input by its index, or by its coordinates.
 pub enum Vertex {
     Index(usize),
-    At(Vec<f64>),
+    /// The third coordinate is zero in the plane.
+    At([f64; 3]),
 }
 
 /// A result: its kind, as the protocol names it, and its parts.
@@ -241,7 +242,6 @@ fn hull(
     arrays.extend(hull.parts.iter().map(|part| part.len() as u32));
     let lengths = arrays.len();
     // Of the copies of a point the smallest index stands for all; the two zeros are alike.
-    let key = |row: &[f64]| -> Vec<u64> { row.iter().map(|x| (x + 0.0).to_bits()).collect() };
     let mut smallest = HashMap::with_capacity(points.n);
     for (id, row) in (0..).zip(points.rows()) {
         smallest.entry(key(row)).or_insert(id);
@@ -255,6 +255,11 @@ fn hull(
         arrays.push(*id.ok_or("a vertex of the result is none of the points")?);
     }
     Ok(json!({ "kind": hull.kind, "lengths": lengths, "indices": arrays.len() - lengths }))
+}
+
+/// The bits of coordinates, the two zeros alike.
+fn key(coordinates: &[f64]) -> [u64; 3] {
+    std::array::from_fn(|axis| coordinates.get(axis).map_or(0, |x| (x + 0.0).to_bits()))
 }
 
 /// The version of a crate in our lock file.

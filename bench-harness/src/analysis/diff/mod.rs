@@ -3,7 +3,7 @@
 //! A cell is one engine on one case; it is matched by definition, set, n, seed and engine, and by the fingerprint of
 //! its points. Times of two runs share no rounds, so the statistic is the ratio of the median times, realisation by
 //! realisation, and its geometric mean over them; its interval draws realisations again, and the rounds of each side
-//! within each.
+//! within each. The realisations are the same points in both runs, so that all freedom is that of the rounds.
 //!
 //! What is established:
 //!
@@ -24,6 +24,9 @@ use crate::stats::summary::median;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fmt;
+
+/// If more than this part of the cells move the same way, the machine is suspected.
+const MOST: f64 = 0.75;
 
 /// What has become of a cell's time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -237,14 +240,20 @@ fn machine_notes(old: &Run, new: &Run) -> Vec<String> {
     different.into_iter().filter_map(note).collect()
 }
 
-/// A note if the middle cell has moved beyond the band: then it may be the machine.
+/// A note if most cells have moved beyond the band to one side: then it may be the machine.
 fn common_shift(rows: &[Row], band: Band) -> Option<String> {
     let logs: Vec<f64> = rows.iter().map(|row| row.ratio.ln()).collect();
-    let middle = median(&logs);
     let engines: BTreeSet<&str> = rows.iter().map(|row| row.engine.as_str()).collect();
-    (middle.abs() > band.half_width && engines.len() > 1).then(|| {
+    let middle = median(&logs);
+    let moved = logs
+        .iter()
+        .filter(|log| log.signum() == middle.signum() && log.abs() > band.half_width);
+    let moved = moved.count();
+    (engines.len() > 1 && moved as f64 > MOST * logs.len() as f64).then(|| {
         format!(
-            "half of all cells have moved by a factor of {:.3} or beyond: it may be the machine and not the engines",
+            "{moved} of {} cells have moved the same way, the middle one by a factor of {:.3}: it may be the machine and \
+             not the engines",
+            logs.len(),
             middle.exp()
         )
     })

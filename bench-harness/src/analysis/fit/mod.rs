@@ -1,11 +1,11 @@
 //! By which law a cost grows: counts first, for they are exact, and time as a second witness.
 //!
-//! Every engine on every point set is fitted by itself, each realisation an observation with its own h. A law is declared
-//! as [`crate::stats::growth`] says, or none is.
+//! Every engine on every point set is fitted by itself, each realisation an observation with its own h. A law is
+//! declared as [`crate::stats::growth`] says, or none is.
 //!
-//! Time has borders: where the points no longer fit into a cache, every call gets dearer, and a slope over that border
-//! is the machine's and not the algorithm's. So no law is declared from time across one; the range can be cut with
-//! `from` and `to`.
+//! Time has borders: where the points no longer fit into a cache from L2 on, every call gets dearer, and a slope over
+//! that border is the machine's and not the algorithm's. So no law is declared from time across one; the range can be
+//! cut.
 
 mod page;
 
@@ -49,7 +49,7 @@ pub struct Fitted {
     pub local: Vec<LocalSlope>,
     /// Cost a point = a + b ln n: its b is 0 for n, and above 0 for n log n.
     pub a_point: Option<Line>,
-    /// The caches whose capacity the points outgrow in this range, each with the n at which they do.
+    /// The caches from L2 on whose capacity the points outgrow in this range, each with the n at which they do.
     pub borders: Vec<(Cache, f64)>,
 }
 
@@ -177,7 +177,10 @@ fn observation(
     })
 }
 
-/// The caches that the coordinates of the points outgrow between the least and the largest n, each with that n.
+/// From this level on a miss costs so much that a slope shows it.
+const DEAR_LEVEL: u8 = 2;
+
+/// The caches from L2 on that the coordinates outgrow between the least and the largest n, each with that n.
 fn borders(caches: &[Cache], set: &str, data: &[Observation]) -> Vec<(Cache, f64)> {
     let sizes = data.iter().map(|place| place.n);
     let (least, most) = sizes.fold((f64::INFINITY, 0.0_f64), |(least, most), n| {
@@ -187,7 +190,8 @@ fn borders(caches: &[Cache], set: &str, data: &[Observation]) -> Vec<(Cache, f64
         let n = fills(cache, set);
         (least < n && n < most).then(|| (cache.clone(), n))
     };
-    caches.iter().filter_map(inside).collect()
+    let dear = caches.iter().filter(|cache| cache.level >= DEAR_LEVEL);
+    dear.filter_map(inside).collect()
 }
 
 /// How many points of `set` fill `cache`: 16 bytes a point of the plane, 24 of space.

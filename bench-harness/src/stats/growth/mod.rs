@@ -4,7 +4,7 @@
 //! C.-L. Tsai, *Regression and time series model selection in small samples*, Biometrika 76 (1989).
 //!
 //! 1. Each candidate law, alone and with one lower-order term, is fitted by least squares of the relative error
-//!    ([`fit`]).
+//!    ([`mod@fit`]).
 //! 2. A law whose leading term is a mere correction at the largest size is none of its name and drops out: with an
 //!    extra term every law contains every lower one.
 //! 3. One is declared ([`choice`]) only if AICc prefers it to each other by more than 10, if it also foretells the

@@ -60,7 +60,7 @@ impl Unit {
                 least = least.min(exponent - 52 + zeros as i32);
                 top = top.max(exponent);
             }
-            if least < LEAST_EXPONENT || least < top - USEFUL {
+            if least < LEAST_EXPONENT || least < top.saturating_sub(USEFUL) {
                 return Self::UNKNOWN;
             }
         }

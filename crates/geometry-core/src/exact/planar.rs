@@ -77,6 +77,11 @@ fn cross_closely(
 /// Shewchuk's stages B, C and D. `u` is b-a, `v` is d-c, each a rounded difference and its tail.
 fn cross_adaptively(a: Point2, b: Point2, c: Point2, d: Point2) -> Sign {
     let [u, v] = [[b[0] - a[0], b[1] - a[1]], [d[0] - c[0], d[1] - c[1]]];
+    // A rounded difference is zero only if the exact one is: on level and upright lines, nothing is left to do.
+    let is_zero = |p: f64, q: f64| p == 0.0 || q == 0.0;
+    if is_zero(u[0], v[1]) && is_zero(u[1], v[0]) {
+        return Sign::Zero;
+    }
     let rounded = difference_of_products(u[0], v[1], u[1], v[0]);
     let u_tail = [
         difference_tail(b[0], a[0], u[0]),

@@ -31,9 +31,11 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// The grid over the bounding box of `points` whose cells are numbered with at most `bits` bits.
-    pub(super) fn over(points: impl Iterator<Item = Point3>, bits: u32) -> Self {
-        let levels = (bits / 3 / STRIDE * STRIDE).min(20);
+    /// The grid over the bounding box of `points`, with `levels` rounded up to a multiple of [`STRIDE`].
+    ///
+    /// At most 20 levels.
+    pub(super) fn over(points: impl Iterator<Item = Point3>, levels: u32) -> Self {
+        let levels = levels.min(20).next_multiple_of(STRIDE);
         let mut lowest = [f64::INFINITY; 3];
         let mut highest = [f64::NEG_INFINITY; 3];
         for p in points {
@@ -65,13 +67,14 @@ impl Grid {
             let cell = (p[i] / 2.0 - self.lowest[i]) * self.scale[i];
             spread((cell as u32).min(last))
         });
-        let cell = cell[0] << 2 | cell[1] << 1 | cell[2];
+        let cell = (cell[0] << 2) | (cell[1] << 1) | cell[2];
         let mut place = 0;
         // The state, times `CELLS`.
         let mut state = 0;
         for level in (0..self.levels).step_by(STRIDE as usize).rev() {
-            let step = CURVE[state | ((cell >> (3 * level)) as usize % CELLS)] as usize;
-            place = place << (3 * STRIDE) | (step % CELLS) as u64;
+            let inner = (cell >> (3 * level)) as usize % CELLS;
+            let step = CURVE[state + inner] as usize;
+            place = (place << (3 * STRIDE)) | (step % CELLS) as u64;
             state = step - step % CELLS;
         }
         place
@@ -81,11 +84,11 @@ impl Grid {
 /// The lowest 21 bits of `x`, each followed by two zeros.
 fn spread(x: u32) -> u64 {
     let mut x = u64::from(x);
-    x = (x | x << 32) & 0x001f_0000_0000_ffff;
-    x = (x | x << 16) & 0x001f_0000_ff00_00ff;
-    x = (x | x << 8) & 0x100f_00f0_0f00_f00f;
-    x = (x | x << 4) & 0x10c3_0c30_c30c_30c3;
-    (x | x << 2) & 0x1249_2492_4924_9249
+    x = (x | (x << 32)) & 0x001f_0000_0000_ffff;
+    x = (x | (x << 16)) & 0x001f_0000_ff00_00ff;
+    x = (x | (x << 8)) & 0x100f_00f0_0f00_f00f;
+    x = (x | (x << 4)) & 0x10c3_0c30_c30c_30c3;
+    (x | (x << 2)) & 0x1249_2492_4924_9249
 }
 
 const fn curve() -> [u16; CELLS * STATES] {
@@ -96,7 +99,7 @@ const fn curve() -> [u16; CELLS * STATES] {
         while cell < CELLS {
             let (outer, inside) = eighth(state, cell >> 3);
             let (inner, inside) = eighth(inside, cell & 7);
-            table[CELLS * state + cell] = (outer << 3 | inner | inside << (3 * STRIDE)) as u16;
+            table[CELLS * state + cell] = ((outer << 3) | inner | (inside << (3 * STRIDE))) as u16;
             cell += 1;
         }
         state += 1;
@@ -109,7 +112,7 @@ const fn eighth(state: usize, eighth: usize) -> (usize, usize) {
     let (entry, axis) = (state % 8, state / 8);
     let code = rotate_right(eighth ^ entry, axis + 1);
     // The inverse of the Gray code n ^ (n >> 1).
-    let number = code ^ code >> 1 ^ code >> 2;
+    let number = code ^ (code >> 1) ^ (code >> 2);
     let first = if number == 0 {
         0
     } else {
@@ -125,12 +128,12 @@ const fn eighth(state: usize, eighth: usize) -> (usize, usize) {
 }
 
 const fn gray(n: usize) -> usize {
-    n ^ n >> 1
+    n ^ (n >> 1)
 }
 
 const fn rotate_left(bits: usize, by: usize) -> usize {
     let by = by % 3;
-    (bits << by | bits >> (3 - by)) & 7
+    ((bits << by) | (bits >> (3 - by))) & 7
 }
 
 const fn rotate_right(bits: usize, by: usize) -> usize {
@@ -146,7 +149,7 @@ mod tests {
     fn every_step_goes_to_a_neighbour() {
         const SIDE: usize = 16;
         let corners = [[0.0; 3], [SIDE as f64; 3]];
-        let grid = Grid::over(corners.into_iter(), 12);
+        let grid = Grid::over(corners.into_iter(), 4);
         assert_eq!(grid.bits(), 12);
         let mut visited = vec![None; SIDE.pow(3)];
         for cell in 0..SIDE.pow(3) {
@@ -168,7 +171,7 @@ mod tests {
             [[1.0; 3]; 2],
             [[0.0; 3], [5e-324; 3]],
         ] {
-            let grid = Grid::over(extremes.into_iter(), 40);
+            let grid = Grid::over(extremes.into_iter(), 11);
             assert_eq!(grid.bits(), 36);
             assert!(extremes.iter().all(|&p| grid.place(p) < 1 << 36));
         }

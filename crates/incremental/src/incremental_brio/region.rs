@@ -18,6 +18,15 @@ use super::Surface;
 use geometry_core::mesh::{SideId, TriangleId};
 use geometry_core::{HullError, Kernel3, Observer, Step};
 
+/// What a walk knows of the facet that it came from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Known {
+    /// The walk began where it ended.
+    Nothing,
+    /// The point does not see it.
+    NotSeen,
+}
+
 /// Storage for one insertion, kept for the next.
 #[derive(Debug, Default)]
 pub(super) struct Region {
@@ -30,15 +39,25 @@ pub(super) struct Region {
 }
 
 impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
-    /// Step 3: replaces what `p` sees, `facet` among it, by the cone from `p`.
-    pub(super) fn insert(&mut self, p: u32, facet: TriangleId) -> Result<(), HullError> {
-        let mut region = std::mem::take(&mut self.region);
+    /// Step 3: replaces what `p` sees, the facet of the side `seen` among it, by the cone from `p`. Of the facet at the
+    /// twin of `seen` it may be known that `p` does not see it.
+    pub(super) fn insert(
+        &mut self,
+        p: u32,
+        seen: SideId,
+        behind: Known,
+        region: &mut Region,
+    ) -> Result<(), HullError> {
         region.rim.clear();
+        let facet = seen.triangle();
+        let [first, second, third] =
+            [seen, seen.next(), seen.previous()].map(|side| self.mesh.twin(side));
         // Neighbours are looked at together, before any is branched on: the processor computes them side by side.
-        let [first, second, third] = self
-            .mesh
-            .twins(facet)
-            .map(|side| (side, self.sees(p, side.triangle())));
+        let [second, third] = [second, third].map(|side| (side, self.sees(p, side.triangle())));
+        let first = match behind {
+            Known::NotSeen => (first, false),
+            Known::Nothing => (first, self.sees(p, first.triangle())),
+        };
         region.ahead.extend([third, second, first]);
         self.take_out(facet, &mut region.seen);
         while let Some((side, is_seen)) = region.ahead.pop() {
@@ -48,12 +67,15 @@ impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
             } else if self.mesh.is_alive(facet) {
                 let beyond = [side.previous(), side.next()].map(|side| self.mesh.twin(side));
                 let [second, first] = beyond.map(|side| self.look_at(p, side));
-                region.ahead.extend(second.into_iter().chain(first));
+                region.ahead.extend(second);
+                region.ahead.extend(first);
                 self.take_out(facet, &mut region.seen);
             }
         }
-        self.check(&region.rim)?;
-        self.latest = self.mesh.replace(&mut region.seen, &region.rim, p);
+        let made = self.mesh.replace(&mut region.seen, &region.rim, p);
+        self.latest = made.ok_or(HullError::Contradiction {
+            what: "the facets that a point sees are not one region with one rim",
+        })?;
         let names = &self.names;
         self.observer.step(|| Step::Insert(names[p as usize]));
         for &side in &region.rim {
@@ -63,7 +85,6 @@ impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
                 Step::Facet(a, b, c)
             });
         }
-        self.region = region;
         Ok(())
     }
 
@@ -84,23 +105,4 @@ impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
         self.mesh.take_out(facet);
         seen.push(facet);
     }
-
-    /// Checks that the rim is one closed walk, past facets that are still there.
-    fn check(&self, rim: &[SideId]) -> Result<(), HullError> {
-        let Some(&last) = rim.last().filter(|_| rim.len() >= 3) else {
-            return Err(NO_DISC);
-        };
-        let mut begins = self.mesh.origin(last);
-        for &side in rim {
-            if self.mesh.target(side) != begins || !self.mesh.is_alive(side.triangle()) {
-                return Err(NO_DISC);
-            }
-            begins = self.mesh.origin(side);
-        }
-        Ok(())
-    }
 }
-
-const NO_DISC: HullError = HullError::Contradiction {
-    what: "the facets that a point sees are not one region with one rim",
-};

@@ -1,5 +1,6 @@
 //! The walk to a facet that a point sees, or to the one that covers it.
 
+use super::region::Known;
 use super::{EYE, Surface};
 use geometry_core::mesh::{SideId, TriangleId};
 use geometry_core::{HullError, Kernel3, Observer, Step};
@@ -7,8 +8,8 @@ use geometry_core::{HullError, Kernel3, Observer, Step};
 /// Where a point is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Place {
-    /// Outside: it sees this facet.
-    SeenFacet(TriangleId),
+    /// Outside: it sees the facet of this side, by which the walk entered if something is known of the one behind.
+    Outside(SideId, Known),
     /// In the hull: in the cone of the eye over this facet, which it does not see.
     CoveredBy(TriangleId),
 }
@@ -16,46 +17,42 @@ pub(super) enum Place {
 impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
     /// Step 2: walks from the latest facet to where the point `p` is.
     pub(super) fn locate(&mut self, p: u32) -> Result<Place, HullError> {
-        let mut facet = self.latest;
-        // The side by which the facet was entered: the point is on this side of it.
-        let mut entered = None;
+        let facet = self.latest;
+        if self.sees(p, facet) {
+            return Ok(Place::Outside(facet.side(0), Known::Nothing));
+        }
+        let Some(mut side) = self.first_towards(p, facet) else {
+            return Ok(Place::CoveredBy(facet));
+        };
         // No facet comes twice (invariant 3).
         for _ in 0..self.mesh.slots() {
-            if self.sees(p, facet) {
-                return Ok(Place::SeenFacet(facet));
+            if self.sees(p, side.triangle()) {
+                return Ok(Place::Outside(side, Known::NotSeen));
             }
-            let Some(next) = self.side_towards(p, facet, entered) else {
-                return Ok(Place::CoveredBy(facet));
+            // The point is on this side of the side by which the walk came.
+            side = if self.is_beyond(p, side.next()) {
+                self.mesh.twin(side.next())
+            } else if self.is_beyond(p, side.previous()) {
+                self.mesh.twin(side.previous())
+            } else {
+                return Ok(Place::CoveredBy(side.triangle()));
             };
-            facet = next.triangle();
-            entered = Some(next);
         }
         Err(HullError::Contradiction {
             what: "a walk to a point goes in circles",
         })
     }
 
-    /// The side, of a neighbour of `facet`, that is next on the way to `p`, which does not see the facet; `None` if the
-    /// facet covers `p`.
+    /// The first side on the way from `facet`, which `p` does not see; `None` if it covers `p`.
     #[inline(always)]
-    fn side_towards(
-        &mut self,
-        p: u32,
-        facet: TriangleId,
-        entered: Option<SideId>,
-    ) -> Option<SideId> {
+    fn first_towards(&mut self, p: u32, facet: TriangleId) -> Option<SideId> {
         let corners = self.mesh.corners(facet);
+        let sides = facet.sides();
         if let Some(eye) = corners.iter().position(|&corner| corner == EYE) {
-            // A facet at the eye, met only at the start.
-            return Some(self.mesh.twins(facet)[(eye + 1) % 3]);
+            return Some(self.mesh.twin(sides[(eye + 1) % 3]));
         }
-        let sides = match entered {
-            Some(side) => [Some(side.next()), Some(side.previous()), None],
-            None => facet.sides().map(Some),
-        };
-        let mut sides = sides.into_iter().flatten();
-        let next = sides.find(|&side| self.is_beyond(p, side))?;
-        Some(self.mesh.twin(next))
+        let side = sides.into_iter().find(|&side| self.is_beyond(p, side))?;
+        Some(self.mesh.twin(side))
     }
 
     /// Whether `p` is beyond the plane through the eye and a side.

@@ -1,12 +1,13 @@
-//! Triangulations of two and three points.
+//! Triangulations of two and of three points.
 
 use super::Site;
 use super::part::{Corner, Part};
 use super::rings::Rings;
 use geometry_core::kernel::lexicographic;
-use geometry_core::{Exact, Kernel2, Sign};
+use geometry_core::{Kernel2, Sign};
 
 /// The edge between two distinct points.
+#[inline(always)]
 pub(super) fn edge(sites: &[Site], rings: &mut Rings<'_>, [a, b]: [u32; 2]) -> Part {
     let e = rings.allocate();
     rings.put_alone(e, a);
@@ -16,9 +17,15 @@ pub(super) fn edge(sites: &[Site], rings: &mut Rings<'_>, [a, b]: [u32; 2]) -> P
 }
 
 /// The triangle of three distinct points, or two edges if they are collinear.
-pub(super) fn triangle(sites: &[Site], rings: &mut Rings<'_>, [a, b, c]: [u32; 3]) -> Part {
+#[inline(always)]
+pub(super) fn triangle(
+    sites: &[Site],
+    rings: &mut Rings<'_>,
+    kernel: &impl Kernel2,
+    [a, b, c]: [u32; 3],
+) -> Part {
     let [p, q, r] = [a, b, c].map(|vertex| sites[vertex as usize].at);
-    let [a, b, c] = match Exact.orient(p, q, r) {
+    let [a, b, c] = match kernel.orient(p, q, r) {
         Sign::Positive => [a, b, c],
         Sign::Negative => [a, c, b],
         Sign::Zero => return path(sites, rings, [a, b, c]),
@@ -32,9 +39,11 @@ pub(super) fn triangle(sites: &[Site], rings: &mut Rings<'_>, [a, b, c]: [u32; 3
     Part::of(sites, &[corner(a, ab), corner(b, bc), corner(c, ca)])
 }
 
-fn path(sites: &[Site], rings: &mut Rings<'_>, mut ids: [u32; 3]) -> Part {
-    ids.sort_unstable_by(|&a, &b| lexicographic(sites[a as usize].at, sites[b as usize].at));
-    let [a, b, c] = ids;
+/// Two edges from end to end.
+fn path(sites: &[Site], rings: &mut Rings<'_>, mut vertices: [u32; 3]) -> Part {
+    let at = |vertex: u32| sites[vertex as usize].at;
+    vertices.sort_unstable_by(|&a, &b| lexicographic(at(a), at(b)));
+    let [a, b, c] = vertices;
     let [ab, bc] = [rings.allocate(), rings.allocate()];
     rings.put_alone(ab, a);
     rings.put_alone(ab ^ 1, b);

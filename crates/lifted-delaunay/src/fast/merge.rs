@@ -1,70 +1,108 @@
-//! Joining two triangulations that a line separates.
+//! Joining two triangulations that a line separates (Guibas and Stolfi 1985, figure 23).
+//!
+//! 1. From the two vertices nearest to the line go down both hulls to their lower common tangent: the first edge across.
+//! 2. On either end of the edge across, look at the next edge upwards. While the circle through the edge across and that
+//!    edge's far end holds the far end of the next but one, the edge is not Delaunay: remove it.
+//! 3. Of the two far ends left, the one whose circle does not hold the other makes a triangle with the edge across.
+//!    Its new side is the edge across from now on. Repeat from 2 until both ends see nothing above: that is the upper tangent.
+//!
+//! ```text
+//!        s .                 . t
+//!           \ '.         .' /
+//!            \  l ----- r  /        l r: the edge across; s, t: the candidates
+//!             '/         \'
+//!      left   /           \   right
+//! ```
+//!
+//! The figure is the same turned by a quarter, for a lower set on the left and an upper one on the right.
+//!
+//! **Invariants.**
+//!
+//! 1. Below the edge across, nothing changes any more: every edge there is Delaunay in the union.
+//! 2. The circle through the edge across and any point above it that no circle holds is free of points below.
 
 use super::Site;
+use super::asking::Asking;
 use super::part::{Across, Corner, Part};
 use super::rings::{NONE, Rings};
-use geometry_core::exact::{Boxed, Unit};
-use geometry_core::kernel::lexicographic;
-use geometry_core::{Exact, InCircle, Kernel2, Point2, Sign};
+use super::tie::is_inside_if_first_is_lowered;
+use geometry_core::{InCircle, Kernel2, Point2, Sign};
 
-/// Joins `left` and `right` (or lower and upper).
+/// Joins `right` to `left`, or the upper part to the lower.
 pub(super) fn merge(
     sites: &[Site],
     rings: &mut Rings<'_>,
-    unit: Unit,
+    asking: &mut impl Asking,
     [left, right]: [&Part; 2],
     across: Across,
 ) -> Part {
     let mut joined = left.joined(right, sites, across);
-    let kernel = Boxed::new(joined.extent(sites, 0), joined.extent(sites, 1), unit);
+    let [width, height] = joined.sides(sites);
+    let kernel = asking.in_box(width, height);
     let mut seam = Seam {
         sites,
         rings,
         kernel,
     };
-    let near = [left.last[across as usize], right.first[across as usize]];
-    let [l, r] = seam.lower_tangent(near);
-    let bottom = seam.first_edge(l, r);
+    let nearest = [left.last[across as usize], right.first[across as usize]];
+    let tangent = seam.lower_tangent(nearest);
+    let bottom = seam.first_edge(tangent);
     let top = seam.rise(bottom);
-    joined.turn(l.vertex, bottom);
+    joined.turn(seam.rings.origin(bottom), bottom);
     joined.turn(seam.rings.target(top), top ^ 1);
+    asking.done(seam.kernel);
     joined
 }
 
-struct Seam<'a, 'b> {
+/// Where two triangulations are joined.
+struct Seam<'a, 'b, K> {
     sites: &'a [Site],
     rings: &'a mut Rings<'b>,
-    kernel: Boxed,
+    kernel: K,
 }
 
-impl Seam<'_, '_> {
+/// An edge upwards from one end of the edge across, and its far end.
+#[derive(Clone, Copy)]
+struct Candidate {
+    edge: u32,
+    vertex: u32,
+    at: Point2,
+}
+
+/// On which end of the edge across a candidate is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Left,
+    Right,
+}
+
+impl<K: Kernel2 + InCircle> Seam<'_, '_, K> {
     #[inline(always)]
     fn at(&self, vertex: u32) -> Point2 {
         self.sites[vertex as usize].at
     }
 
-    /// The ends of the lower common tangent, from corners that see each other.
+    /// The ends of the lower common tangent. The first two corners see each other: nothing lies between.
+    #[inline(always)]
     fn lower_tangent(&self, [mut l, mut r]: [Corner; 2]) -> [Corner; 2] {
         let [mut p, mut q] = [l, r].map(|corner| self.at(corner.vertex));
         loop {
             if l.out != NONE {
                 let back = self.rings.prev(l.out);
                 let vertex = self.rings.target(back);
-                if self.kernel.orient(p, q, self.at(vertex)).is_negative() {
-                    p = self.at(vertex);
-                    l = Corner {
-                        vertex,
-                        out: back ^ 1,
-                    };
+                let below = self.at(vertex);
+                if self.kernel.orient(p, q, below).is_negative() {
+                    let out = back ^ 1;
+                    (l, p) = (Corner { vertex, out }, below);
                     continue;
                 }
             }
             if r.out != NONE {
                 let vertex = self.rings.target(r.out);
-                if self.kernel.orient(p, q, self.at(vertex)).is_negative() {
-                    q = self.at(vertex);
+                let below = self.at(vertex);
+                if self.kernel.orient(p, q, below).is_negative() {
                     let out = self.rings.next(r.out ^ 1);
-                    r = Corner { vertex, out };
+                    (r, q) = (Corner { vertex, out }, below);
                     continue;
                 }
             }
@@ -72,124 +110,86 @@ impl Seam<'_, '_> {
         }
     }
 
-    fn first_edge(&mut self, l: Corner, r: Corner) -> u32 {
+    /// The edge from l to r, in the gaps where they see the outside.
+    #[inline(always)]
+    fn first_edge(&mut self, [l, r]: [Corner; 2]) -> u32 {
         let e = self.rings.allocate();
-        for (e, end) in [(e, l), (e ^ 1, r)] {
-            if end.out == NONE {
-                self.rings.put_alone(e, end.vertex);
+        for (half, corner) in [(e, l), (e ^ 1, r)] {
+            if corner.out == NONE {
+                self.rings.put_alone(half, corner.vertex);
             } else {
-                self.rings.put_before(e, end.out, end.vertex);
+                self.rings.put_before(half, corner.out, corner.vertex);
             }
         }
         e
     }
 
     /// From the lowest edge across to the highest, which is returned.
+    #[inline(always)]
     fn rise(&mut self, bottom: u32) -> u32 {
         let mut base = bottom;
-        let (mut l, mut r) = (self.rings.origin(base), self.rings.target(base));
-        let (mut p, mut q) = (self.at(l), self.at(r));
+        let [mut l, mut r] = [self.rings.origin(base), self.rings.target(base)];
+        let [mut p, mut q] = [self.at(l), self.at(r)];
         loop {
-            let left = self.left_candidate(base, p, q);
-            let right = self.right_candidate(base, p, q);
-            let take_right = match (left, right) {
-                (None, None) => return base,
-                (Some(_), None) => false,
-                (None, Some(_)) => true,
-                (Some((_, _, s)), Some((_, _, t))) => self.is_inside(p, q, s, t),
+            let left = self.candidate(Side::Left, base, p, q);
+            let right = self.candidate(Side::Right, base ^ 1, p, q);
+            base = match (left, right) {
+                (Some(s), t) if t.is_none_or(|t| !self.is_inside(p, q, s.at, t.at)) => {
+                    let new = self.rings.allocate();
+                    self.rings.put_before(new ^ 1, base ^ 1, r);
+                    self.rings.put_after(new, s.edge ^ 1, s.vertex);
+                    (l, p) = (s.vertex, s.at);
+                    new
+                }
+                (_, Some(t)) => {
+                    let new = self.rings.allocate();
+                    self.rings.put_after(new, base, l);
+                    self.rings.put_before(new ^ 1, t.edge ^ 1, t.vertex);
+                    (r, q) = (t.vertex, t.at);
+                    new
+                }
+                _ => return base,
             };
-            let new = self.rings.allocate();
-            if take_right {
-                let Some((e, vertex, place)) = right else {
-                    unreachable!()
-                };
-                self.rings.put_after(new, base, l);
-                self.rings.put_before(new ^ 1, e ^ 1, vertex);
-                (r, q) = (vertex, place);
-            } else {
-                let Some((e, vertex, place)) = left else {
-                    unreachable!()
-                };
-                self.rings.put_before(new ^ 1, base ^ 1, r);
-                self.rings.put_after(new, e ^ 1, vertex);
-                (l, p) = (vertex, place);
-            }
-            base = new;
         }
     }
 
+    /// The next edge upwards at the origin of `base`, after those that are not Delaunay are removed; if there is one that
+    /// leads above the edge across, from p to q.
     #[inline(always)]
-    fn left_candidate(&mut self, base: u32, p: Point2, q: Point2) -> Option<(u32, u32, Point2)> {
-        let mut e = self.rings.next(base);
-        let mut vertex = self.rings.target(e);
-        let mut place = self.at(vertex);
-        if e == base || !self.kernel.orient(p, q, place).is_positive() {
+    fn candidate(&mut self, side: Side, base: u32, p: Point2, q: Point2) -> Option<Candidate> {
+        let mut candidate = self.upwards(side, base);
+        if candidate.edge == base || !self.kernel.orient(p, q, candidate.at).is_positive() {
             return None;
         }
         loop {
-            let next = self.rings.next(e);
-            if next == base {
-                break;
+            let beyond = self.upwards(side, candidate.edge);
+            if beyond.edge == base || !self.is_inside(p, q, candidate.at, beyond.at) {
+                return Some(candidate);
             }
-            let beyond = self.rings.target(next);
-            let there = self.at(beyond);
-            if !self.is_inside(p, q, place, there) {
-                break;
-            }
-            self.rings.remove(e);
-            (e, vertex, place) = (next, beyond, there);
+            self.rings.remove(candidate.edge);
+            candidate = beyond;
         }
-        Some((e, vertex, place))
     }
 
+    /// The edge that follows `edge` around its origin, going up.
     #[inline(always)]
-    fn right_candidate(&mut self, base: u32, p: Point2, q: Point2) -> Option<(u32, u32, Point2)> {
-        let mut e = self.rings.prev(base ^ 1);
-        let mut vertex = self.rings.target(e);
-        let mut place = self.at(vertex);
-        if e == base ^ 1 || !self.kernel.orient(p, q, place).is_positive() {
-            return None;
-        }
-        loop {
-            let next = self.rings.prev(e);
-            if next == base ^ 1 {
-                break;
-            }
-            let beyond = self.rings.target(next);
-            let there = self.at(beyond);
-            if !self.is_inside(p, q, place, there) {
-                break;
-            }
-            self.rings.remove(e);
-            (e, vertex, place) = (next, beyond, there);
-        }
-        Some((e, vertex, place))
+    fn upwards(&self, side: Side, edge: u32) -> Candidate {
+        let edge = match side {
+            Side::Left => self.rings.next(edge),
+            Side::Right => self.rings.prev(edge),
+        };
+        let vertex = self.rings.target(edge);
+        let at = self.at(vertex);
+        Candidate { edge, vertex, at }
     }
 
-    /// Whether d lies inside the circle through a, b, c, anticlockwise; on the circle, whether it would after the first of the four was lowered.
+    /// Whether d lies inside the circle through a, b, c, which are anticlockwise. A tie goes by the rule.
     #[inline(always)]
     fn is_inside(&self, a: Point2, b: Point2, c: Point2, d: Point2) -> bool {
         match self.kernel.in_circle(a, b, c, d) {
             Sign::Positive => true,
             Sign::Negative => false,
-            Sign::Zero => is_inside_when_first_is_lowered(a, b, c, d),
+            Sign::Zero => is_inside_if_first_is_lowered(&self.kernel, a, b, c, d),
         }
-    }
-}
-
-#[cold]
-#[inline(never)]
-fn is_inside_when_first_is_lowered(a: Point2, b: Point2, c: Point2, d: Point2) -> bool {
-    let first = |p: Point2, others: [Point2; 3]| {
-        others.iter().all(|&other| lexicographic(p, other).is_lt())
-    };
-    if first(d, [a, b, c]) {
-        true
-    } else if first(a, [b, c, d]) {
-        Exact.orient(b, c, d).is_negative()
-    } else if first(b, [a, c, d]) {
-        Exact.orient(c, a, d).is_negative()
-    } else {
-        Exact.orient(a, b, d).is_negative()
     }
 }

@@ -1,8 +1,19 @@
-//! A triangulation of some of the points, seen from outside: its extremes.
+//! A triangulation of some of the points, seen from outside: its extremes, from which others are joined to it.
+//!
+//! ```text
+//!                 last by y
+//!             .---*-----.
+//!            /           '*  last by x          each with the edge of the hull that
+//!  first    *             |                     leaves it anticlockwise
+//!   by x     '.____*_____.'
+//!              first by y
+//! ```
+//!
+//! Extremes, with ties broken by the other coordinate, are corners: the hull turns there. So the outside is seen
+//! through one gap in the ring around each, also where all points are collinear.
 
 use super::Site;
 use super::rings::NONE;
-use std::cmp::Ordering;
 
 /// The axis across which a set is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,17 +24,20 @@ pub(super) enum Across {
     Y = 1,
 }
 
-/// A vertex of the hull, and the edge of the hull that leaves it anticlockwise; [`NONE`] where there is no edge.
+/// A vertex of the hull, and the edge of the hull that leaves it anticlockwise: the outside is on its right. There is
+/// no edge, [`NONE`], if there is no other vertex.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     pub(super) vertex: u32,
     pub(super) out: u32,
 }
 
-/// The corners that come first and last by x, then y; and first and last by y, then x.
+/// The extremes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
+    /// First by x, then y; and first by y, then x.
     pub(super) first: [Corner; 2],
+    /// Last by x, then y; and last by y, then x.
     pub(super) last: [Corner; 2],
 }
 
@@ -37,7 +51,8 @@ impl Part {
         }
     }
 
-    /// The part whose extremes are among `corners`.
+    /// The part with these corners.
+    #[inline(always)]
     pub(super) fn of(sites: &[Site], corners: &[Corner]) -> Self {
         let mut part = Self {
             first: [corners[0]; 2],
@@ -56,7 +71,8 @@ impl Part {
         part
     }
 
-    /// The extremes of the union of two parts, `self` being the left or lower one.
+    /// The extremes of the union with `other`, which is to the right of `self`, or above it. Of two that are equally far
+    /// along the dividing line, the one of `self` comes first.
     #[inline(always)]
     pub(super) fn joined(&self, other: &Self, sites: &[Site], across: Across) -> Self {
         let mut joined = Self {
@@ -64,18 +80,17 @@ impl Part {
             last: other.last,
         };
         let along = 1 - across as usize;
-        // Of two that are equally far along, the one of `self` comes first.
-        let value = |corner: Corner| sites[corner.vertex as usize].at[along];
-        if value(other.first[along]) < value(self.first[along]) {
+        let coordinate = |corner: Corner| sites[corner.vertex as usize].at[along];
+        if coordinate(other.first[along]) < coordinate(self.first[along]) {
             joined.first[along] = other.first[along];
         }
-        if value(other.last[along]) < value(self.last[along]) {
+        if coordinate(other.last[along]) < coordinate(self.last[along]) {
             joined.last[along] = self.last[along];
         }
         joined
     }
 
-    /// The edge that leaves `vertex` on the hull is now `out`.
+    /// Notes that the edge of the hull that leaves `vertex` is now `out`.
     #[inline(always)]
     pub(super) fn turn(&mut self, vertex: u32, out: u32) {
         for corner in self.first.iter_mut().chain(&mut self.last) {
@@ -85,17 +100,16 @@ impl Part {
         }
     }
 
-    /// The width or height.
+    /// The width and height, rounded.
     #[inline(always)]
-    pub(super) fn extent(&self, sites: &[Site], axis: usize) -> f64 {
-        let value = |corner: Corner| sites[corner.vertex as usize].at[axis];
-        value(self.last[axis]) - value(self.first[axis])
+    pub(super) fn sides(&self, sites: &[Site]) -> [f64; 2] {
+        let coordinate = |corner: Corner, axis: usize| sites[corner.vertex as usize].at[axis];
+        [0, 1].map(|axis| coordinate(self.last[axis], axis) - coordinate(self.first[axis], axis))
     }
 }
 
+#[inline(always)]
 fn comes_before(sites: &[Site], a: Corner, b: Corner, axis: usize) -> bool {
     let [p, q] = [a, b].map(|corner| sites[corner.vertex as usize].at);
-    let ordering = p[axis].partial_cmp(&q[axis]);
-    ordering == Some(Ordering::Less)
-        || (ordering == Some(Ordering::Equal) && p[1 - axis] < q[1 - axis])
+    p[axis] < q[axis] || (p[axis] == q[axis] && p[1 - axis] < q[1 - axis])
 }

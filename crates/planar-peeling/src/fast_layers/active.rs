@@ -3,10 +3,10 @@
 use super::chain::Place;
 use super::hull_tree::HullTree;
 use super::outline::{Outline, Reach};
-use super::shells::merged;
+use super::shells::merge_onto;
 use super::side::{Context, Lower, Upper};
 use super::sorted::Entry;
-use geometry_core::{Hull2, Kernel2, Observer, Point2};
+use geometry_core::{Hull2, Kernel2, Observer, Point2, Step};
 
 /// Points and the two halves of their hull.
 pub(super) struct Active<'a, K, O> {
@@ -43,7 +43,7 @@ impl<'a, K: Kernel2, O: Observer> Active<'a, K, O> {
 
     /// Whether no point is left.
     pub(super) fn is_empty(&self) -> bool {
-        self.below.places.is_empty()
+        self.below.places.is_empty() && self.above.places.is_empty()
     }
 
     /// The lower and the upper half of the hull.
@@ -76,8 +76,8 @@ impl<'a, K: Kernel2, O: Observer> Active<'a, K, O> {
     /// Starts again with the points `left` and `entries`. As long as the hull has `core` inside, points beyond it are on
     /// one half of the hull only.
     pub(super) fn restart(&mut self, left: &[Entry], entries: &[Entry], core: Option<&Outline>) {
-        let mut all = merged(left, entries);
-        all.insert(0, Entry::default());
+        let mut all = vec![Entry::default()];
+        merge_onto(&mut all, left, entries);
         self.gone.clear();
         self.gone.resize(all.len(), false);
         self.gone[0] = true;
@@ -106,25 +106,28 @@ impl<'a, K: Kernel2, O: Observer> Active<'a, K, O> {
         if below == above {
             return Hull2::Segment(below.iter().map(id).collect());
         }
-        let inner = above.get(1..above.len() - 1).unwrap_or_default();
+        let inner = above.get(1..above.len().max(1) - 1).unwrap_or_default();
         let mut cycle = Vec::with_capacity(below.len() + inner.len());
         cycle.extend(below.iter().map(id));
         cycle.extend(inner.iter().rev().map(id));
         Hull2::Polygon(cycle)
     }
 
-    /// Takes out the points of the hull.
-    pub(super) fn peel(&mut self) {
+    /// Takes out the points of the hull, and notes by id the stage at which they leave.
+    pub(super) fn peel(&mut self, stage: u32, stages: &mut [u32]) {
         for &place in self.below.places.iter().chain(&self.above.places) {
             self.gone[place as usize] = true;
+            stages[self.context.entries[place as usize].id as usize] = stage;
         }
         self.upper
             .take_hull_and(&self.below.places, &mut self.context);
         self.lower
             .take_hull_and(&self.above.places, &mut self.context);
         self.read();
+        self.context.observer.step(|| Step::Layer(stage));
     }
 
+    /// Reads the hull from the trees.
     fn read(&mut self) {
         self.lower.read_hull(&mut self.below.places);
         self.upper.read_hull(&mut self.above.places);
@@ -137,9 +140,5 @@ impl<'a, K: Kernel2, O: Observer> Active<'a, K, O> {
                     .map(|&place| entries[place as usize].point),
             );
         }
-    }
-
-    pub(super) fn observer(&mut self) -> &mut O {
-        self.context.observer
     }
 }

@@ -162,7 +162,8 @@ impl<S: Side> HullTree<S> {
         }
     }
 
-    /// Takes the gap's points out of the subtree of `node`, and returns the points that come to light on its hull.
+    /// Takes the gap's points out of the subtree of `node`, and returns the points that come to light on its hull. The
+    /// gap is a contiguous piece of that hull (invariant 3).
     pub(super) fn refill<K: Kernel2, O: Observer>(
         &mut self,
         mut node: NodeId,
@@ -187,6 +188,7 @@ impl<S: Side> HullTree<S> {
                 break (l, r);
             }
         };
+        // Read before the left child loses its end: afterwards points of the right child may have moved up.
         let innermost = self.nodes[2 * node + RIGHT].rest[RIGHT];
         let mut fresh = EMPTY;
         if a <= l {
@@ -203,6 +205,7 @@ impl<S: Side> HullTree<S> {
                 beyond: [innermost, after],
             };
             let lit = self.refill(2 * node + RIGHT, gap, context);
+            // If the bridge has moved inwards from r already, it stays where it is.
             let lit = if self.nodes[node].bridge[RIGHT] == r {
                 self.rebridge::<RIGHT, K, O>(node, lit, after, context)
             } else {
@@ -214,7 +217,8 @@ impl<S: Side> HullTree<S> {
     }
 
     /// Finds the bridge of `node` when child `NEAR` has lost its end of it, and `lit` has come to light there, next
-    /// to `anchor`. Returns the points that come to light on the hull of `node`.
+    /// to `anchor`. Returns the points that come to light on the hull of `node`, and leaves the children the rest
+    /// (invariant 2).
     fn rebridge<const NEAR: usize, K: Kernel2, O: Observer>(
         &mut self,
         node: NodeId,
@@ -267,7 +271,7 @@ impl<S: Side> HullTree<S> {
         beyond
     }
 
-    /// Links `lit` between `anchor` and `inner`, which lies on the far side of it.
+    /// Keeps invariant 4: links `lit` between `anchor` and `inner`, which lies on the far side of it.
     fn connect<const NEAR: usize>(&mut self, anchor: Place, lit: Chain, inner: Chain) {
         let far = 1 - NEAR;
         if lit != EMPTY {
@@ -281,7 +285,8 @@ impl<S: Side> HullTree<S> {
     }
 
     /// The common tangent of a chain that changed and one that did not. Both ends walk towards `NEAR`: on the
-    /// changed chain from `start` and no further than `anchor`, on the other from `old` and on from `next`.
+    /// changed chain from `start` and no further than `anchor`, on the other from `old` and on from `next`
+    /// (invariant 5).
     fn tangent<const NEAR: usize, K: Kernel2, O: Observer>(
         &self,
         [start, anchor]: [Place; 2],

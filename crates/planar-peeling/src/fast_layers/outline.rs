@@ -23,9 +23,28 @@ impl Outline {
     }
 
     /// This outline shrunk about its centre so that about half of `entries` lie outside. `None` if it cannot be.
+    ///
+    /// All of it is rounded: what lies inside is asked later.
     pub(super) fn halving(&self, entries: &[Entry]) -> Option<Self> {
-        const SAMPLE: usize = 48;
         let center = self.center();
+        let scale = self.middle_size(center, entries);
+        if !(scale > 0.0 && scale < 1.0) {
+            return None;
+        }
+        let shrunk = |chain: &[Point2]| -> Vec<Point2> {
+            let point = |q: &Point2| [0, 1].map(|i| scale * q[i] + (1.0 - scale) * center[i]);
+            chain.iter().map(point).collect()
+        };
+        let [lower, upper] = [&self.lower, &self.upper].map(|chain| shrunk(chain));
+        let mut coordinates = lower.iter().chain(&upper).flatten();
+        let finite = coordinates.all(|x| x.is_finite());
+        finite.then_some(Self { lower, upper })
+    }
+
+    /// The median, over a sample of `entries`, of the factor that puts this outline through the point when it grows from
+    /// `center`.
+    fn middle_size(&self, center: Point2, entries: &[Entry]) -> f64 {
+        const SAMPLE: usize = 48;
         let lines: Vec<Point2> = [&self.lower, &self.upper]
             .into_iter()
             .flat_map(|chain| chain.windows(2))
@@ -45,42 +64,34 @@ impl Outline {
             .map(size)
             .collect();
         let middle = sizes.len() / 2;
-        let (_, &mut scale, _) = sizes.select_nth_unstable_by(middle, f64::total_cmp);
-        if !(scale > 0.0 && scale < 1.0) {
-            return None;
-        }
-        let shrunk = |chain: &Vec<Point2>| -> Vec<Point2> {
-            let point = |q: &Point2| [0, 1].map(|i| scale * q[i] + (1.0 - scale) * center[i]);
-            chain.iter().map(point).collect()
-        };
-        let outline = Self {
-            lower: shrunk(&self.lower),
-            upper: shrunk(&self.upper),
-        };
-        let finite = |chain: &Vec<Point2>| chain.as_flattened().iter().all(|x| x.is_finite());
-        (finite(&outline.lower) && finite(&outline.upper)).then_some(outline)
+        *sizes.select_nth_unstable_by(middle, f64::total_cmp).1
     }
 
+    /// The mean of the vertices.
     fn center(&self) -> Point2 {
         let vertices = self.lower.iter().chain(&self.upper);
         let count = (self.lower.len() + self.upper.len()) as f64;
         vertices.fold([0.0; 2], |sum, q| [0, 1].map(|i| sum[i] + q[i] / count))
     }
 
-    /// The entries outside and those strictly inside; all are in lexicographic order.
-    pub(super) fn split<K: Kernel2>(&self, entries: &[Entry], kernel: &K) -> [Vec<Entry>; 2] {
+    /// Moves the entries strictly inside to the front of `entries`, and the others to the front of `outside`, which is
+    /// as long. Returns how many are inside. All are in lexicographic order and stay so.
+    pub(super) fn split<K: Kernel2>(
+        &self,
+        entries: &mut [Entry],
+        outside: &mut [Entry],
+        kernel: &K,
+    ) -> usize {
         let mut between = Between::new([&self.lower, &self.upper]);
-        // Parts that are not halves to within a sixteenth are rare, and may grow.
-        let room = entries.len() / 2 + entries.len() / 16;
-        let [mut outside, mut inside] = [0; 2].map(|_| Vec::with_capacity(room));
-        for &entry in entries {
-            if between.holds(entry.point, Sign::Positive, kernel) {
-                inside.push(entry);
-            } else {
-                outside.push(entry);
-            }
+        let mut inner = 0;
+        for place in 0..entries.len() {
+            // Both are written and one counts: where a point lies, no branch could foresee.
+            let entry = entries[place];
+            outside[place - inner] = entry;
+            entries[inner] = entry;
+            inner += usize::from(between.holds(entry.point, Sign::Positive, kernel));
         }
-        [outside, inside]
+        inner
     }
 
     /// Finds the reach of `entries` outside, which are in lexicographic order.
@@ -139,7 +150,7 @@ fn reciprocal_line(center: Point2, a: Point2, b: Point2) -> Option<Point2> {
 fn thinned(chain: &[Point2]) -> Vec<Point2> {
     let step = chain.len().div_ceil(MOST - 1).max(1);
     let mut few: Vec<Point2> = chain.iter().copied().step_by(step).collect();
-    if chain.len() % step != 1 {
+    if chain.len() % step != 1 % step {
         few.extend(chain.last());
     }
     few

@@ -38,6 +38,8 @@ pub(super) struct Context<'a, K, O> {
     pub(super) least: Sign,
     pub(super) kernel: &'a K,
     pub(super) observer: &'a mut O,
+    /// Room for the hull of a leaf.
+    pub(super) arc: Vec<Place>,
 }
 
 impl<'a, K: Kernel2, O: Observer> Context<'a, K, O> {
@@ -52,6 +54,7 @@ impl<'a, K: Kernel2, O: Observer> Context<'a, K, O> {
             least,
             kernel,
             observer,
+            arc: Vec::new(),
         }
     }
 

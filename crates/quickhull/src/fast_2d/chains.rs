@@ -9,7 +9,7 @@
 //! ```
 
 use super::order::Keys;
-use super::throw_away::INLINE;
+use super::region::INLINE;
 use geometry_core::kernel::lexicographic;
 use geometry_core::{Boundary, Hull2, Kernel2, Observer, Point2, Sign, Step};
 use smallvec::{SmallVec, smallvec};
@@ -42,9 +42,9 @@ pub(super) fn hull_of<K: Kernel2, O: Observer>(
     if left == right {
         return Hull2::Point(candidates.id(left));
     }
-    let [a, b] = [left, right].map(|place| points[place as usize]);
-    let keys = Keys::new(points.len(), a[0], b[0]);
-    let mut sides = Sides::of(points, (a, b), boundary, keys, kernel);
+    let [least, most] = [left, right].map(|place| points[place as usize][0]);
+    let keys = Keys::new(points.len(), least, most);
+    let mut sides = Sides::of(points, (left, right), boundary, keys, kernel);
     let flat = sides.lower == 0 && sides.upper == 0;
     let [lower, upper] = sides.sorted(points, keys);
     let mut chain = Chain {
@@ -96,15 +96,21 @@ struct Sides {
 impl Sides {
     fn of<K: Kernel2>(
         points: &[Point2],
-        (a, b): (Point2, Point2),
+        (left, right): (u32, u32),
         boundary: Boundary,
         keys: Keys,
         kernel: &K,
     ) -> Self {
+        let [left, right] = [left, right].map(|place| place as usize);
+        let [a, b] = [left, right].map(|place| points[place]);
         let mut list: SmallVec<[u64; INLINE]> = smallvec![0; points.len()];
         let mut on_line = Vec::new();
         let (mut front, mut back) = (0, points.len());
         for (place, &point) in points.iter().enumerate() {
+            // The ends are on the line, which takes long to prove.
+            if place == left || place == right {
+                continue;
+            }
             let side = kernel.orient(a, b, point);
             let key = keys.key(point[0], place);
             if side.is_zero() {
@@ -163,24 +169,28 @@ struct Chain<'a, K, O> {
 impl<K: Kernel2, O: Observer> Chain<'_, K, O> {
     /// Appends the chain of the points at `places`, which begins at the present end, and then the point at `end`.
     fn extend(&mut self, places: impl Iterator<Item = u32>, end: u32) {
-        let floor = self.places.len() - 1;
         let points = self.candidates.points;
+        let at = |place: u32| points[place as usize];
+        let floor = self.places.len();
+        // The last two points of the chain, without a way through memory; the first of them counts only if there is one.
+        let mut last = at(self.places[floor - 1]);
+        let mut before = last;
         for place in places.chain([end]) {
-            let point = points[place as usize];
-            while let [.., a, b] = self.places[floor..] {
-                let turn = self
-                    .kernel
-                    .orient(points[a as usize], points[b as usize], point);
-                if keeps(self.boundary, turn) {
-                    break;
+            let point = at(place);
+            while self.places.len() > floor
+                && !keeps(self.boundary, self.kernel.orient(before, last, point))
+            {
+                let popped = self.places.pop().map(|place| self.candidates.id(place));
+                self.observer.step(|| Step::Pop(popped.unwrap_or_default()));
+                last = before;
+                if let [.., before_last, _] = self.places[floor - 1..] {
+                    before = at(before_last);
                 }
-                let id = self.candidates.id(b);
-                self.observer.step(|| Step::Pop(id));
-                self.places.pop();
             }
             let id = self.candidates.id(place);
             self.observer.step(|| Step::Push(id));
             self.places.push(place);
+            (before, last) = (last, point);
         }
     }
 

@@ -1,8 +1,9 @@
 //! A polygon of input points, and the certificate that a point lies strictly inside it.
 //!
-//! A corner is the point furthest in one of k directions, so the corners run anticlockwise. A point is certified if it
-//! lies to the left of every edge by more than rounding can account for. Nothing else is asked of the corners: they
-//! may be chosen with any error, and the polygon may be flat or fold over itself.
+//! The first corners are the points furthest along the axes and the diagonals. Then each edge gets a new corner, the point furthest
+//! outside it, so the corners double, still run anticlockwise, and follow the shape of the set, however long and
+//! slanted. A point is certified if it lies to the left of every edge by more than rounding can account for. Nothing
+//! else is asked of the corners: they may be chosen with any error, and the polygon may be flat or fold over itself.
 //!
 //! # Left of every edge is inside
 //!
@@ -42,60 +43,19 @@
 //! inside**, so a set whose every other point was thrown away need not be searched for NaN. No product overflows, as
 //! |a'|, |b'| ≤ 1; a sum that does belongs to a point that failed already.
 
-use super::extremes::{AXES, Extremes};
+use super::extremes::{AT_A_TIME, furthest, furthest_by_compass};
+use super::region::{LANES, Lanes, Region, lesser};
 use geometry_core::Point2;
 use smallvec::SmallVec;
 
 /// 2⁻⁴⁸: bounds the error of an edge's function relative to M.
-pub(super) const ERROR: f64 = 32.0 * (f64::EPSILON / 2.0);
+const ERROR: f64 = 32.0 * (f64::EPSILON / 2.0);
 
 /// The range of M in which the bound holds.
 const SMALLEST: f64 = f64::from_bits((1023 - 900) << 52);
 const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
 
-/// How many directions corners are sought in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Directions {
-    Eight,
-    Sixteen,
-    ThirtyTwo,
-    SixtyFour,
-}
-
-impl Directions {
-    pub(super) fn count(self) -> usize {
-        match self {
-            Directions::Eight => 8,
-            Directions::Sixteen => 16,
-            Directions::ThirtyTwo => 32,
-            Directions::SixtyFour => 64,
-        }
-    }
-
-    pub(super) fn doubled(self) -> Option<Self> {
-        match self {
-            Directions::Eight => Some(Directions::Sixteen),
-            Directions::Sixteen => Some(Directions::ThirtyTwo),
-            Directions::ThirtyTwo => Some(Directions::SixtyFour),
-            Directions::SixtyFour => None,
-        }
-    }
-
-    /// The `place`-th direction anticlockwise from that of the x axis.
-    fn direction(self, place: usize) -> Point2 {
-        /// A quarter turn in 16 steps. Six digits: a corner may be any point.
-        #[rustfmt::skip]
-        const QUARTER: [Point2; 16] = [
-            [1.000000, 0.000000], [0.995185, 0.098017], [0.980785, 0.195090], [0.956940, 0.290285],
-            [0.923880, 0.382683], [0.881921, 0.471397], [0.831470, 0.555570], [0.773010, 0.634393],
-            [0.707107, 0.707107], [0.634393, 0.773010], [0.555570, 0.831470], [0.471397, 0.881921],
-            [0.382683, 0.923880], [0.290285, 0.956940], [0.195090, 0.980785], [0.098017, 0.995185],
-        ];
-        let step = place * (64 / self.count());
-        let [x, y] = QUARTER[step % 16];
-        if step < 16 { [x, y] } else { [-y, x] }
-    }
-}
+const GROUP: usize = 4;
 
 /// An edge's function a x + b y - c.
 #[derive(Clone, Copy, Debug, Default)]
@@ -106,21 +66,101 @@ pub(super) struct Edge {
 }
 
 impl Edge {
-    /// The function of from→to, scaled so that |a|, |b| ≤ 1; coordinates of magnitude at most [`LARGEST`].
-    fn through(from: Point2, to: Point2) -> Self {
+    /// The function of from→to, scaled so that |a|, |b| ≤ 1 if no coordinate exceeds [`LARGEST`].
+    pub(super) fn through(from: Point2, to: Point2) -> Self {
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let exponent = (dx.abs().max(dy.abs()).to_bits() >> 52).max(1);
-        let scale = f64::from_bits((2045 - exponent) << 52);
+        let scale = f64::from_bits(2045_u64.saturating_sub(exponent) << 52);
         let (a, b) = (-dy * scale, dx * scale);
         let c = a * from[0] + b * from[1];
         Self { a, b, c }
     }
+
+    #[inline(always)]
+    pub(super) fn at(self, [x, y]: Point2) -> f64 {
+        self.a * x + self.b * y - self.c
+    }
 }
 
-/// The edges between the extreme points of a set, and the bound on their errors.
+/// Corners in anticlockwise order, no two neighbours equal.
+#[derive(Clone, Debug)]
+pub(super) struct Corners(SmallVec<[Point2; 8]>);
+
+impl Corners {
+    /// The points furthest along the axes and the diagonals; none if there are no points.
+    pub(super) fn of(points: &[Point2]) -> Option<Self> {
+        furthest_by_compass(points).map(Self::distinct)
+    }
+
+    /// These corners and, between each two, the point furthest outside their edge.
+    pub(super) fn refined(&self, points: &[Point2]) -> Self {
+        let edges: SmallVec<[Edge; 8]> = self.edges().collect();
+        let mut corners = SmallVec::<[Point2; 8]>::new();
+        for (corners_of_group, group) in self.0.chunks(AT_A_TIME).zip(edges.chunks(AT_A_TIME)) {
+            let mut outward = [[0.0; 2]; AT_A_TIME];
+            for (outward, edge) in outward.iter_mut().zip(group) {
+                *outward = [-edge.a, -edge.b];
+            }
+            let apexes = furthest(points, &outward).unwrap_or_default();
+            for ((&corner, edge), apex) in corners_of_group.iter().zip(group).zip(apexes) {
+                corners.push(corner);
+                if edge.at(apex) < 0.0 {
+                    corners.push(apex);
+                }
+            }
+        }
+        Self::distinct(corners).without_dents()
+    }
+
+    /// Without corners that the polygon turns right at, as far as rounding can tell: a scan from the rightmost one.
+    fn without_dents(mut self) -> Self {
+        let along_x = |i: &usize, j: &usize| self.0[*i][0].total_cmp(&self.0[*j][0]);
+        let rightmost = (0..self.0.len()).max_by(along_x).unwrap_or(0);
+        self.0.rotate_left(rightmost);
+        let mut convex = SmallVec::<[Point2; 8]>::new();
+        for &corner in self.0.iter().chain(self.0.first()) {
+            while let [.., a, b] = convex[..]
+                && Edge::through(a, b).at(corner) <= 0.0
+            {
+                convex.pop();
+            }
+            convex.push(corner);
+        }
+        Self::distinct(convex)
+    }
+
+    pub(super) fn distinct(corners: impl IntoIterator<Item = Point2>) -> Self {
+        let mut distinct = SmallVec::<[Point2; 8]>::new();
+        distinct.extend(corners);
+        distinct.dedup();
+        while distinct.len() > 1 && distinct.first() == distinct.last() {
+            distinct.pop();
+        }
+        Self(distinct)
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    pub(super) fn as_slice(&self) -> &[Point2] {
+        &self.0
+    }
+
+    fn edges(&self) -> impl Iterator<Item = Edge> {
+        let next = self.0.iter().cycle().skip(1);
+        self.0
+            .iter()
+            .zip(next)
+            .map(|(&from, &to)| Edge::through(from, to))
+    }
+}
+
+/// Edges, and the bound on the errors of their functions.
 #[derive(Debug)]
 pub(super) struct Polygon {
-    edges: SmallVec<[Edge; 8]>,
+    /// In groups that are evaluated together; the last is filled up with copies of the last edge.
+    edges: SmallVec<[[Edge; GROUP]; 2]>,
     /// 2 M.
     reach: f64,
     /// [`ERROR`] · M.
@@ -128,74 +168,84 @@ pub(super) struct Polygon {
 }
 
 impl Polygon {
-    /// The polygon of the points furthest in the directions, of at most 2¹⁶ points; none if it has fewer than three
-    /// edges or is out of the range of the bound.
-    pub(super) fn around(points: &[Point2], directions: Directions) -> Option<Self> {
-        let axes = directions.count() / 2;
-        let mut corners = [[0.0; 2]; 64];
-        for group in (0..axes).step_by(AXES) {
-            let axis = std::array::from_fn(|i| directions.direction(group + i));
-            let Extremes { most, least } = Extremes::along(points, &axis)?;
-            for i in 0..AXES {
-                corners[group + i] = points[most[i]];
-                corners[axes + group + i] = points[least[i]];
-            }
-        }
-        Self::with_corners(&corners[..2 * axes])
-    }
-
-    /// The polygon with these corners in this order.
-    pub(super) fn with_corners(corners: &[Point2]) -> Option<Self> {
-        let most =
-            corners.as_flattened().iter().fold(
-                0.0,
-                |most: f64, x| if x.abs() <= most { most } else { x.abs() },
-            );
-        // False for NaN, too.
-        if !(SMALLEST..=LARGEST).contains(&most) {
-            return None;
-        }
-        let next = corners.iter().cycle().skip(1);
-        let edges: SmallVec<[Edge; 8]> = corners
-            .iter()
-            .zip(next)
-            .filter(|(from, to)| from != to)
-            .map(|(&from, &to)| Edge::through(from, to))
-            .collect();
-        (edges.len() >= 3).then_some(Self {
-            edges,
+    /// The polygon with these corners; none if they are fewer than three or out of the range of the bound.
+    pub(super) fn of(corners: &Corners) -> Option<Self> {
+        let magnitudes = || corners.0.as_flattened().iter().map(|x| x.abs());
+        let most = magnitudes().fold(0.0, f64::max);
+        let in_range = most >= SMALLEST && magnitudes().all(|x| x <= LARGEST);
+        (in_range && corners.len() >= 3).then(|| Self {
+            edges: in_groups(corners.edges()),
             reach: 2.0 * most,
             bound: ERROR * most,
         })
     }
 
-    /// The least of an upper bound of 2 M - |x| - |y| and the edges' functions; NaN if a coordinate is.
-    ///
-    /// In lanes, so that the compiler makes vectors of any width of them.
-    #[inline(always)]
-    fn least<const LANES: usize>(&self, points: &[Point2; LANES]) -> [f64; LANES] {
-        let mut least = points.map(|[x, y]| self.reach - (x.abs() + y.abs()));
-        for &Edge { a, b, c } in &self.edges {
-            for (least, [x, y]) in least.iter_mut().zip(points) {
-                let t = a * x + b * y - c;
-                *least = if t < *least { t } else { *least };
-            }
-        }
-        least
+    /// Whether the octagon whose corners are within u M of these lies inside: where a computed function is beyond twice
+    /// the bound, the true one at a point so near is positive.
+    pub(super) fn contains_about(&self, corners: &[Point2; 8]) -> bool {
+        let inside = |edge: &Edge, corner: Point2| edge.at(corner) > 2.0 * self.bound;
+        let near = |[x, y]: Point2| x.abs() + y.abs() <= self.reach;
+        corners.iter().all(|&corner| {
+            near(corner)
+                && self
+                    .edges
+                    .as_flattened()
+                    .iter()
+                    .all(|edge| inside(edge, corner))
+        })
     }
 
-    /// Which of the points are not certified to lie inside: bit i for point i.
-    #[inline(always)]
-    pub(super) fn not_inside(&self, points: &[Point2; 64]) -> u64 {
-        let (octets, _) = points.as_chunks::<8>();
-        let mut bits = 0;
-        for (place, octet) in octets.iter().enumerate() {
-            for (lane, least) in self.least(octet).into_iter().enumerate() {
-                // NaN is not inside.
-                let inside = least > self.bound;
-                bits |= u64::from(!inside) << (8 * place + lane);
+    /// About the largest factor by which the points can be moved away from the centre, as a part of their distance
+    /// from it, without leaving the polygon; not positive if the centre is outside.
+    pub(super) fn room(&self, centre: Point2, points: &[Point2; 8]) -> f64 {
+        let mut room: f64 = 1.0;
+        for edge in self.edges.as_flattened() {
+            let depth = edge.at(centre) - 4.0 * self.bound;
+            for &point in points {
+                let loss = edge.at(centre) - edge.at(point);
+                if depth < room * loss {
+                    room = depth / loss;
+                }
             }
         }
-        bits
+        room
+    }
+}
+
+fn in_groups(edges: impl Iterator<Item = Edge>) -> SmallVec<[[Edge; GROUP]; 2]> {
+    let mut groups = SmallVec::new();
+    let mut edges = edges.fuse();
+    while let Some(first) = edges.next() {
+        let mut group = [first; GROUP];
+        for place in 1..GROUP {
+            group[place] = edges.next().unwrap_or(group[place - 1]);
+        }
+        groups.push(group);
+    }
+    groups
+}
+
+impl Region for Polygon {
+    /// The least of 2 M - |x| - |y| and the edges' functions; NaN if a coordinate is.
+    #[inline(always)]
+    fn measure(&self, lanes: &Lanes) -> [f64; LANES] {
+        let mut measures = [0.0; LANES];
+        for i in 0..LANES {
+            measures[i] = self.reach - (lanes.x[i].abs() + lanes.y[i].abs());
+        }
+        for edges in &self.edges {
+            for i in 0..LANES {
+                let mut measure = measures[i];
+                for edge in edges {
+                    measure = lesser(edge.at([lanes.x[i], lanes.y[i]]), measure);
+                }
+                measures[i] = measure;
+            }
+        }
+        measures
+    }
+
+    fn bound(&self) -> f64 {
+        self.bound
     }
 }

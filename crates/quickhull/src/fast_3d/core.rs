@@ -92,8 +92,9 @@ impl Core {
         let mut kept = 0;
         for (place, &measure) in (0..).zip(&measures[..block.len().min(BLOCK)]) {
             places[kept] = place;
-            // Also where an overflow has made it NaN.
-            kept += usize::from(!(measure <= self.most));
+            // Not `measure > most`: an overflow may have made it NaN.
+            let is_held = measure <= self.most;
+            kept += usize::from(!is_held);
         }
         kept
     }

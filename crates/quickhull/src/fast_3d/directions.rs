@@ -380,7 +380,11 @@ impl<'a> View<'a> {
                 return None;
             }
         }
-        let sign = if place.face % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if place.face.is_multiple_of(2) {
+            1.0
+        } else {
+            -1.0
+        };
         let mut normal = [0.0; 3];
         normal[axis] = sign;
         Some(Cell {

@@ -61,7 +61,7 @@ impl Left {
         let block = points.len() / size.max(1);
         let place = |number: usize| {
             let share = (number as u64 + 1).wrapping_mul(GOLDEN) >> 32;
-            number * block + (share * block as u64 >> 32) as usize
+            number * block + ((share * block as u64) >> 32) as usize
         };
         let ids: Vec<u32> = (0..size).map(|number| place(number) as u32).collect();
         Self {

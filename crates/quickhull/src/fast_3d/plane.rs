@@ -22,8 +22,9 @@
 //! *Underflow.* Sums and differences do not underflow. A product does by at most 2⁻¹⁰⁷⁵: four of them in the normal,
 //! times |w_i|, and three in the height. 2⁻¹⁰⁰⁰ is added to each m_i and to the sum; times 9 ε, that is more than 2⁻¹⁰⁵⁰.
 //!
-//! *Overflow.* If a product overflows, some m_i is infinite, and then the bound is infinite or NaN. No height is
-//! beyond it, the comparisons fail, and the question goes to the kernel.
+//! *Overflow.* No partial sum of the height exceeds fl(Σ m_i e_i) by more than rounding. If that is more than a quarter of the
+//! largest number, infinite or NaN, the bound is made NaN: then every comparison fails and the question goes to the kernel.
+//! (An infinite bound would not do: a height of -∞ is not above -∞.)
 //!
 //! # Where there is no error
 //!
@@ -152,10 +153,12 @@ impl Plane {
     pub(super) const NONE: Self = Self {
         normal: [0.0; 3],
         through: [0.0; 3],
-        bound: f64::INFINITY,
+        bound: f64::NAN,
     };
 
     /// The plane through a, b, c, which run anticlockwise seen from outside, for points of the set with this span.
+    // Inlined, because returning seven numbers through memory takes as long as computing them.
+    #[inline(always)]
     pub(super) fn through([a, b, c]: [Point3; 3], span: &Span) -> Self {
         let u = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
         let v = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
@@ -182,7 +185,11 @@ impl Plane {
         Self {
             normal,
             through: a,
-            bound: span.relative * sum,
+            bound: if sum <= f64::MAX / 4.0 {
+                span.relative * sum
+            } else {
+                f64::NAN
+            },
         }
     }
 
@@ -219,3 +226,6 @@ fn axis_parallel(u: Point3, v: Point3, normal: Point3, magnitudes: Point3) -> Op
     }
     None
 }
+
+#[cfg(test)]
+mod tests;

@@ -153,7 +153,7 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
             match plane.side(plane.height(p)) {
                 Side::Outside => true,
                 Side::Within => false,
-                Side::Unsure => is_outside(points, kernel, mesh.corners(facet), p),
+                Side::Unsure => is_outside(points, kernel, mesh.corners(facet), &p),
             }
         })
     }
@@ -183,33 +183,38 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
 
     /// Moves the points of the pool that are outside `facet` to its outside set.
     ///
-    /// Which side a point is on decides no branch: the processor could not foresee it.
+    /// Neither the side of a point nor whether it is the furthest so far decides a branch: the processor could not foresee them.
     fn claim(&mut self, facet: TriangleId) {
         let corners = self.mesh.corners(facet);
-        let plane = self.planes[facet.0 as usize];
-        let room = self.outside.room(self.pool.len());
+        let plane = &self.planes[facet.0 as usize];
+        let len = self.pool.len();
+        let pool = &mut self.pool[..len];
+        let room = &mut self.outside.room(len)[..len];
         let (mut outside, mut rest) = (0, 0);
-        let mut furthest = Furthest::default();
-        for place in 0..self.pool.len() {
-            let site = self.pool[place];
-            self.observer.step(|| Step::Visit(site.id));
-            let height = plane.height(site.at);
+        let (mut furthest, mut greatest, mut is_tied) = (0, f64::NEG_INFINITY, false);
+        for place in 0..len {
+            self.observer.step(|| Step::Visit(pool[place].id));
+            let height = plane.height(pool[place].at);
             let side = plane.side(height);
             let mut is_out = side == Side::Outside;
             if side == Side::Unsure {
-                is_out = is_outside(self.points, self.kernel, corners, site.at);
+                is_out = is_outside(self.points, self.kernel, corners, &pool[place].at);
             }
-            room[outside] = site;
-            self.pool[rest] = site;
-            if is_out && height >= furthest.height {
-                furthest.take(outside, height, site.at);
-            }
+            room[outside] = pool[place];
+            pool[rest] = pool[place];
+            is_tied |= is_out & (height == greatest);
+            let is_further = is_out & (height > greatest);
+            greatest = if is_further { height } else { greatest };
+            furthest = if is_further { outside } else { furthest };
             outside += usize::from(is_out);
             rest += usize::from(!is_out);
         }
+        if is_tied {
+            furthest = last_of_furthest(&room[..outside], plane, furthest);
+        }
         self.pool.truncate(rest);
         if outside > 0 {
-            self.outside.put(facet, outside, furthest.place);
+            self.outside.put(facet, outside, furthest);
             let stored = self.outside.stored();
             self.observer.step(|| Step::Storage(stored as u32));
             self.pending.put_off(facet);
@@ -217,39 +222,31 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
     }
 }
 
+/// Of the points as high as the one at `furthest`, the place of the lexicographically largest, which is more often extreme than
+/// the others; of its copies the first, because the others are dropped. Copies are in the order of their indices in
+/// every set, as they always go together.
+#[cold]
+fn last_of_furthest(sites: &[Site], plane: &Plane, furthest: usize) -> usize {
+    let height = plane.height(sites[furthest].at);
+    let as_high = (0..sites.len()).filter(|&place| plane.height(sites[place].at) == height);
+    as_high.fold(furthest, |best, place| {
+        if sites[place].at > sites[best].at {
+            place
+        } else {
+            best
+        }
+    })
+}
+
 /// Whether the kernel finds p outside the facet with these corners. A corner is not, and its copies are common.
 #[cold]
 #[inline(never)]
-fn is_outside<K: Kernel3>(points: Points<'_, 3>, kernel: &K, corners: [u32; 3], p: Point3) -> bool {
-    let [a, b, c] = corners.map(|id| points[id]);
+fn is_outside<K: Kernel3>(
+    points: Points<'_, 3>,
+    kernel: &K,
+    corners: [u32; 3],
+    p: &Point3,
+) -> bool {
+    let ([a, b, c], p) = (corners.map(|id| points[id]), *p);
     p != a && p != b && p != c && kernel.orient3(a, b, c, p).is_positive()
-}
-
-/// The furthest of the points of a set so far, by rounded height: any point outside will do for an apex.
-///
-/// Of equal heights the lexicographically largest is taken, which is more often extreme, and of its copies the first,
-/// because the others are dropped. Copies are in the order of their indices in every set, as they always go together.
-struct Furthest {
-    place: usize,
-    height: f64,
-    at: Point3,
-}
-
-impl Default for Furthest {
-    fn default() -> Self {
-        Self {
-            place: 0,
-            height: f64::NEG_INFINITY,
-            at: [f64::NEG_INFINITY; 3],
-        }
-    }
-}
-
-impl Furthest {
-    #[inline]
-    fn take(&mut self, place: usize, height: f64, at: Point3) {
-        if height > self.height || at > self.at {
-            *self = Self { place, height, at };
-        }
-    }
 }

@@ -1,0 +1,198 @@
+//! `fast-3d` against the exact quickhull, on small random sets made to be difficult and on large ones with many discards.
+//!
+//! `FAST_3D_SETS=1000000 cargo test -p quickhull --release --test fast_3d` compares as many small sets.
+
+use geometry_core::{
+    Counted, Exact, Hull3, HullError, Point3, Points, Recorder, Silent, Step, Tally,
+};
+use hull_verify::conformance::space::change::{carried, reorderings};
+use hull_verify::families_space::{grids, random, round};
+use rand::{Rng, RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+fn fast(points: &[Point3]) -> Result<Hull3, HullError> {
+    quickhull::fast_3d(Points::new(points)?, &Exact, &mut Silent)
+}
+
+fn exact(points: &[Point3]) -> Result<Hull3, HullError> {
+    quickhull::quickhull_3d(Points::new(points)?, &Exact, &mut Silent)
+}
+
+/// How many small sets are compared.
+fn sets() -> u64 {
+    let chosen = std::env::var("FAST_3D_SETS").ok();
+    chosen.and_then(|text| text.parse().ok()).unwrap_or(3_000)
+}
+
+/// A set of up to forty points of a kind that the seed chooses.
+fn difficult(seed: u64) -> Vec<Point3> {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let n = rng.random_range(1..40);
+    let kind = rng.random_range(0..9);
+    let mut points: Vec<Point3> = (0..n).map(|_| difficult_point(kind, &mut rng)).collect();
+    if rng.random_bool(0.3) {
+        let copies = rng.random_range(1..=n);
+        (0..copies).for_each(|_| points.push(points[rng.random_range(0..points.len())]));
+    }
+    points
+}
+
+fn difficult_point(kind: u32, rng: &mut impl Rng) -> Point3 {
+    let mut lattice = |most: i32| [(); 3].map(|()| f64::from(rng.random_range(-most..=most)));
+    match kind {
+        0 => lattice(1),
+        1 => lattice(3),
+        // Far from the origin, so that differences of coordinates are exact and products are not.
+        2 => lattice(5).map(|x| x * 0.1 + 1e8),
+        // Up to an ulp off an oblique plane.
+        3 => {
+            let [x, y, z] = lattice(4);
+            let (x, y) = (x * 0.1, y * 0.3);
+            let plane = 1.0 + x / 3.0 + y / 7.0;
+            [x, y, plane + z.signum() * f64::EPSILON]
+        }
+        // Mixed magnitudes.
+        4 => lattice(9).map(|x| x.signum() * 10.0_f64.powf(x.abs() * 30.0 - 135.0)),
+        5 => lattice(4).map(|x| x * 1e300 / 4.0),
+        6 => lattice(4).map(|x| x * 5e-324),
+        // The corners of two parallel oblique planes, exactly.
+        7 => {
+            let [x, y, z] = lattice(4);
+            [x, y, x + y + 8.0 * f64::from(u8::from(z > 0.0))]
+        }
+        _ => [(); 3].map(|()| rng.random_range(-1.0..1.0)),
+    }
+}
+
+#[test]
+fn difficult_sets_have_the_hull_that_exact_answers_give() -> Result<(), HullError> {
+    for seed in 0..sets() {
+        let points = difficult(seed);
+        assert_eq!(fast(&points)?, exact(&points)?, "seed {seed}: {points:?}");
+    }
+    Ok(())
+}
+
+/// Large enough for a sample, with all that may go wrong in discarding: ties, flat directions, copies, planes.
+fn large_sets() -> Vec<(&'static str, Vec<Point3>)> {
+    let n = 6_000;
+    let cube = random::cube(5, n);
+    let scaled = |by: Point3, offset: f64| -> Vec<Point3> {
+        let scale = |p: &Point3| [0, 1, 2].map(|i| p[i] * by[i] + offset);
+        cube.iter().map(scale).collect()
+    };
+    let on_faces = |(number, p): (usize, &Point3)| {
+        let mut p = *p;
+        p[number % 3] = f64::from(u8::from(p[number % 3] > 0.5));
+        p
+    };
+    vec![
+        ("ball", random::ball(1, n)),
+        ("cube", cube.clone()),
+        ("sphere", round::sphere(1, 5_000)),
+        ("lattice", grids::lattice(18)),
+        (
+            "cube faces",
+            cube.iter().enumerate().map(on_faces).collect(),
+        ),
+        ("flat", scaled([1.0, 1.0, 1e-9], 0.0)),
+        ("planar", scaled([1.0, 1.0, 0.0], 0.0)),
+        ("needle", scaled([1e9, 1.0, 1.0], 0.0)),
+        ("far", scaled([1e-3; 3], 1e6)),
+        ("further", scaled([1e-3; 3], 1e12)),
+        ("huge", scaled([1e300, 1e299, 1e300], 0.0)),
+        ("tiny", scaled([1e-300, 1e-310, 1e-300], 0.0)),
+        ("copies", cube[..n / 8].repeat(8)),
+        ("few places", grids::lattice(3).repeat(n / 27)),
+    ]
+}
+
+#[test]
+fn large_sets_have_the_hull_that_exact_answers_give() -> Result<(), HullError> {
+    for (name, points) in large_sets() {
+        let hull = exact(&points)?;
+        assert!(fast(&points)? == hull, "{name}");
+        for change in reorderings(&points, 7).into_iter().take(4) {
+            let answer = fast(&change.points)?;
+            assert!(answer == carried(&hull, &change), "{name}, {}", change.name);
+        }
+    }
+    Ok(())
+}
+
+/// Points of a facet's plane count as inside, so they cost nothing; a perturbed kernel makes half of them vertices.
+#[test]
+fn points_in_two_planes_are_not_inserted() -> Result<(), HullError> {
+    let mut points = random::cube(3, 10_000);
+    for (number, point) in points.iter_mut().enumerate() {
+        point[2] = f64::from(number as u32 % 2);
+    }
+    let mut tally = Tally::default();
+    let hull = quickhull::fast_3d(Points::new(&points)?, &Exact, &mut tally)?;
+    assert!(tally.inserts < 3 * hull.len() as u64 + 100, "{tally:?}");
+    Ok(())
+}
+
+/// The kernel is asked only what rounded heights leave open: nothing of random points but the first tetrahedron and the
+/// merging, and of a lattice of small integers no more.
+#[test]
+fn the_kernel_is_asked_little() -> Result<(), HullError> {
+    for points in [
+        random::ball(2, 3_000),
+        random::cube(2, 3_000),
+        grids::lattice(12),
+    ] {
+        let kernel = Counted::new(Exact);
+        let mut tally = Tally::default();
+        quickhull::fast_3d(Points::new(&points)?, &kernel, &mut tally)?;
+        let merging = 3 * (tally.facets - tally.drops);
+        let asked = kernel.counts().orientations_in_space.total();
+        assert!(asked <= 2 * merging + 1, "{asked} for {merging}");
+    }
+    Ok(())
+}
+
+/// Tests of a point against a plane or the map, by size: they do not grow.
+#[test]
+fn tests_of_a_point_do_not_grow() -> Result<(), HullError> {
+    type Family = fn(usize) -> Vec<Point3>;
+    let families: [(&str, Family, f64); 3] = [
+        ("ball", |n| random::ball(1, n), 14.0),
+        ("cube", |n| random::cube(1, n), 12.0),
+        (
+            "lattice",
+            |n| grids::lattice((n as f64).cbrt().round() as u32),
+            9.0,
+        ),
+    ];
+    for (name, family, most) in families {
+        for n in [1_000, 10_000, 100_000] {
+            let points = family(n);
+            let mut tally = Tally::default();
+            quickhull::fast_3d(Points::new(&points)?, &Exact, &mut tally)?;
+            let each = tally.visits as f64 / points.len() as f64;
+            assert!(each < most, "{name}, n = {n}: {each}");
+        }
+    }
+    Ok(())
+}
+
+/// Every point is told to be discarded or inserted, by its index in the caller's slice.
+#[test]
+fn steps_are_told_in_the_callers_indices() -> Result<(), HullError> {
+    let points = random::ball(4, 6_000);
+    let mut recorder = Recorder::default();
+    let hull = quickhull::fast_3d(Points::new(&points)?, &Exact, &mut recorder)?;
+    let mut is_inserted = vec![false; points.len()];
+    for step in &recorder.steps {
+        match *step {
+            Step::Insert(id) => is_inserted[id as usize] = true,
+            Step::Facet(a, b, c) => [a, b, c]
+                .map(|id| is_inserted[id as usize] = true)
+                .map(drop)[0],
+            _ => {}
+        }
+    }
+    assert!(hull.vertices().iter().all(|&id| is_inserted[id as usize]));
+    Ok(())
+}
