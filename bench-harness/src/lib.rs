@@ -13,6 +13,7 @@
 //! | `counting` | a method run with every question counted |
 //! | `definition` | an experiment as data |
 //! | [`measure`] | engines verified, counted and timed, into a run on disk |
+//! | [`report`] | a recorded run as one HTML file |
 //! | [`gate`] | the exact counts that are expected to stay as they are |
 //! | `provenance`, `progress`, `parallel` | where a run comes from; how far it is; two sets at a time |
 //! | [`reproduce`] | the papers: definitions, experiments, tables, figures, verdicts |
@@ -31,5 +32,6 @@ mod parallel;
 mod progress;
 mod provenance;
 pub mod records;
+pub mod report;
 pub mod reproduce;
 pub mod stats;

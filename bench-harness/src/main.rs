@@ -3,7 +3,7 @@
 //! This file parses the command line and dispatches; the work is in the library of the same package.
 
 use bench_harness::commands::{check, delaunay, engine, hull, methods, peel, peers, points, sweep};
-use bench_harness::commands::{cmp, diff, export, fit, plot, rank, table};
+use bench_harness::commands::{cmp, diff, export, fit, plot, rank, report, table};
 use bench_harness::failure::Failure;
 use bench_harness::output::target::note;
 use bench_harness::reproduce;
@@ -83,6 +83,8 @@ enum Command {
     Table(table::Args),
     /// Growth and ratios of a recorded run as drawings
     Plot(plot::Args),
+    /// A recorded run as one HTML file, and its tables in a Markdown file
+    Report(report::Args),
     /// The times of a recorded run in formats that other tools read
     Export(export::Args),
     /// The published tables, figures and claims, regenerated and judged
@@ -111,6 +113,7 @@ fn main() -> ExitCode {
         Command::Fit(args) => fit::run(&args),
         Command::Table(args) => table::run(&args),
         Command::Plot(args) => plot::run(&args),
+        Command::Report(args) => report::run(&args),
         Command::Export(args) => export::run(&args),
         Command::Reproduce(args) => reproduce::run(&args).map_err(Failure::from),
     };

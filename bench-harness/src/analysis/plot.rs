@@ -20,6 +20,10 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Drawing {
     /// A name for its file, without the extension.
     pub name: String,
+    /// What it shows, in words.
+    pub caption: String,
+    /// At how many sizes: one is no growth.
+    pub sizes: usize,
     /// SVG.
     pub svg: String,
 }
@@ -41,7 +45,11 @@ pub fn plot(run: &Run, counters: &[String]) -> Result<Vec<Drawing>> {
 }
 
 /// One chart a point set: a line an engine, and the fit of its law, if one is declared.
-fn growth(run: &Run, fits: &Fits) -> Result<Vec<Drawing>> {
+///
+/// # Errors
+///
+/// A fault of the drawing.
+pub fn growth(run: &Run, fits: &Fits) -> Result<Vec<Drawing>> {
     let mut by_set: BTreeMap<(&str, &str), Vec<&Fitted>> = BTreeMap::new();
     for fitted in &fits.fitted {
         let key = (fitted.definition.as_str(), fitted.set.as_str());
@@ -50,9 +58,8 @@ fn growth(run: &Run, fits: &Fits) -> Result<Vec<Drawing>> {
     let quantity = fits.quantity.name();
     let mut drawings = Vec::new();
     for ((definition, set), engines) in by_set {
-        let coloured = || engines.iter().zip(PALETTE.into_iter().cycle());
         let mut series = Vec::new();
-        for (fitted, colour) in coloured() {
+        for (fitted, (colour, stroke)) in engines.iter().zip(styles()) {
             let law = fitted.law();
             series.push(Series {
                 label: law.map_or_else(
@@ -60,7 +67,7 @@ fn growth(run: &Run, fits: &Fits) -> Result<Vec<Drawing>> {
                     |law| format!("{}: {law}", fitted.engine),
                 ),
                 colour,
-                stroke: Stroke::Solid,
+                stroke,
                 points: medians(&fitted.data, |place| Some(place.cost)),
             });
             series.extend(law.map(|law| Series {
@@ -86,8 +93,12 @@ fn growth(run: &Run, fits: &Fits) -> Result<Vec<Drawing>> {
             series: &series,
         };
         if let Some(svg) = draw_marked(&chart, &marks)? {
-            let name = file_name(&["growth", quantity, definition, set]);
-            drawings.push(Drawing { name, svg });
+            drawings.push(Drawing {
+                name: file_name(&["growth", quantity, definition, set]),
+                caption: format!("{definition}/{set}: {quantity} against n, both axes logarithmic"),
+                sizes: sizes(&series),
+                svg,
+            });
         }
     }
     Ok(drawings)
@@ -123,7 +134,11 @@ fn cache_marks(run: &Run, set: &str) -> Vec<(f64, String)> {
 }
 
 /// One chart a point set: each engine over the fastest at the largest size.
-fn ratios(run: &Run) -> Result<Vec<Drawing>> {
+///
+/// # Errors
+///
+/// A fault of the drawing.
+pub fn ratios(run: &Run) -> Result<Vec<Drawing>> {
     let band = Band::of(&[run]);
     let mut drawings = Vec::new();
     let all = run.cases();
@@ -157,8 +172,12 @@ fn ratios(run: &Run) -> Result<Vec<Drawing>> {
             series: &series,
         };
         if let Some(svg) = draw_marked(&chart, &marks)? {
-            let name = file_name(&["ratio", definition, set]);
-            drawings.push(Drawing { name, svg });
+            drawings.push(Drawing {
+                name: file_name(&["ratio", definition, set]),
+                caption: format!("{definition}/{set}: {y}, with 95 % intervals and the A/A band"),
+                sizes: sizes(&series),
+                svg,
+            });
         }
     }
     Ok(drawings)
@@ -182,7 +201,7 @@ fn ratio_lines(run: &Run, cases: &[&Case], baseline: &str) -> (Vec<Series>, Vec<
     let mut intervals = Vec::new();
     let mut series = Vec::new();
     let others = engines.into_iter().filter(|engine| *engine != baseline);
-    for (engine, colour) in others.zip(PALETTE.into_iter().cycle()) {
+    for (engine, (colour, stroke)) in others.zip(styles()) {
         let mut points = Vec::new();
         for case in cases {
             if let Some(compared) = Comparison::of(run, case, engine, baseline) {
@@ -195,11 +214,27 @@ fn ratio_lines(run: &Run, cases: &[&Case], baseline: &str) -> (Vec<Series>, Vec<
         series.push(Series {
             label: engine.to_owned(),
             colour,
-            stroke: Stroke::Solid,
+            stroke,
             points,
         });
     }
     (series, intervals)
+}
+
+/// Colours and strokes, all different as long as there are enough.
+fn styles() -> impl Iterator<Item = (plotters::style::RGBColor, Stroke)> {
+    let strokes = [Stroke::Solid, Stroke::Dashed].into_iter();
+    let each = strokes.flat_map(|stroke| PALETTE.into_iter().map(move |colour| (colour, stroke)));
+    each.collect::<Vec<_>>().into_iter().cycle()
+}
+
+/// At how many different n there is a point.
+fn sizes(series: &[Series]) -> usize {
+    let points = series.iter().flat_map(|series| &series.points);
+    points
+        .map(|(n, _)| n.to_bits())
+        .collect::<BTreeSet<u64>>()
+        .len()
 }
 
 /// A name that any file system takes.

@@ -20,6 +20,7 @@
 //! | [`fit`] | by which law a cost grows |
 //! | [`table`] | a run in the layout of a paper |
 //! | [`plot`] | a run as drawings |
+//! | [`report`] | a run as one HTML file |
 //! | [`export`] | a run for other tools |
 //!
 //! [`input`] says where points come from, [`select`] which method runs, [`claim`] reads the hulls of others, [`recorded`]
@@ -42,6 +43,7 @@ pub mod plot;
 pub mod points;
 pub mod rank;
 pub mod recorded;
+pub mod report;
 pub mod select;
 pub mod sweep;
 pub mod table;

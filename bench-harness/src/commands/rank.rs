@@ -1,7 +1,7 @@
 //! `hullbench rank`: the engines of a run over all cases.
 
 use crate::analysis;
-use crate::commands::recorded::{deliver, load};
+use crate::commands::recorded::{deliver, load, unknown};
 use crate::failure::Failure;
 use crate::output::target::OutputArgs;
 use clap::ValueHint;
@@ -27,6 +27,10 @@ pub struct Args {
     #[arg(value_name = "RUN", value_hint = ValueHint::DirPath)]
     run: PathBuf,
 
+    /// Only the cases of this definition [default: all]
+    #[arg(long, value_name = "ID", value_hint = ValueHint::Other)]
+    definition: Option<String>,
+
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -35,8 +39,15 @@ pub struct Args {
 ///
 /// # Errors
 ///
-/// [`Failure::Data`], [`Failure::Io`].
+/// [`Failure::Usage`] for a definition that the run does not have; [`Failure::Data`], [`Failure::Io`].
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let run = load(&args.run)?;
+    let mut run = load(&args.run)?;
+    if let Some(id) = &args.definition {
+        let known = run.definitions();
+        if !known.contains(&id.as_str()) {
+            return Err(unknown("definition", id, &known));
+        }
+        run = run.only(id);
+    }
     deliver(&analysis::rank::rank(&run).page(), &args.output)
 }

@@ -65,6 +65,8 @@ pub(crate) struct Definition {
     pub(crate) cells: Vec<Block>,
     /// Engines that do not take part, each with the reason.
     pub(crate) left_out: BTreeMap<String, String>,
+    /// The whole file, as it was written.
+    pub(crate) text: String,
     /// SHA-256 of the text.
     pub(crate) hash: String,
 }
@@ -210,6 +212,7 @@ impl Definition {
             left_out: left_out
                 .map(|(e, r)| (e.into_inner(), r.into_inner()))
                 .collect(),
+            text: text.to_owned(),
             hash: Sha256::digest(text)
                 .iter()
                 .map(|byte| format!("{byte:02x}"))

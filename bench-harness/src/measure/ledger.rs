@@ -5,7 +5,9 @@ use crate::definition::Definition;
 use crate::engine::fault::Fault;
 use crate::engine::protocol::Receipt;
 use crate::failure::Failure;
+use crate::output::atomic::{self, Existing};
 use crate::provenance;
+use crate::records::DEFINITIONS;
 use crate::records::manifest::{DefinitionStamp, EngineStamp};
 use crate::records::{
     Cell, Count, Journal, Manifest, Outcome, Row, Run, Sample, Subject, Warning, read, write,
@@ -49,6 +51,7 @@ impl Ledger {
             }
         };
         manifest.write(folder)?;
+        keep_texts(folder, definitions)?;
         forget_absent(folder)?;
         let (cells, found_cells) = Journal::<Cell>::open(folder)?;
         let (samples, found_samples) = Journal::<Sample>::open(folder)?;
@@ -203,6 +206,23 @@ impl Ledger {
         write::rows(&self.folder, &all)?;
         Ok(())
     }
+}
+
+/// Keeps the text of every definition with the run, so that its question goes where its numbers go.
+fn keep_texts(folder: &Path, definitions: &[Definition]) -> Result<()> {
+    let folder = folder.join(DEFINITIONS);
+    let fail = |path: &Path, error| {
+        Failure::io(path.display(), &error, "check the permissions of the run")
+    };
+    std::fs::create_dir_all(&folder).map_err(|error| fail(&folder, error))?;
+    for definition in definitions {
+        let path = folder.join(format!("{}.toml", definition.id));
+        atomic::write(&path, Existing::Replace, |out| {
+            out.write_all(definition.text.as_bytes())
+        })
+        .map_err(|error| fail(&path, error))?;
+    }
+    Ok(())
 }
 
 fn stamps(definitions: &[Definition]) -> Vec<DefinitionStamp> {

@@ -134,6 +134,13 @@ pub fn draw_marked(chart: &Chart<'_>, marks: &Marks) -> Result<Option<String>> {
     Ok(Some(svg))
 }
 
+/// Wide enough for the longest label, at eight pixels a letter.
+fn legend_width(series: &[Series]) -> u32 {
+    let letters = series.iter().map(|series| series.label.chars().count());
+    let longest = letters.max().unwrap_or(0);
+    LEGEND.max(52 + 8 * u32::try_from(longest).unwrap_or(0))
+}
+
 /// Draws all of it. The ends are those of the axes: left, right, bottom, top.
 fn fill<X, Y>(
     svg: &mut String,
@@ -148,9 +155,11 @@ where
     X::CoordDescType: Ranged<ValueType = f64> + ValueFormatter<f64>,
     Y::CoordDescType: Ranged<ValueType = f64> + ValueFormatter<f64>,
 {
-    let area = SVGBackend::with_string(svg, SIZE).into_drawing_area();
+    let plane = SIZE.0 - LEGEND;
+    let size = (plane + legend_width(chart.series), SIZE.1);
+    let area = SVGBackend::with_string(svg, size).into_drawing_area();
     area.fill(&WHITE).map_err(drawing)?;
-    let (main, side) = area.split_horizontally(SIZE.0 - LEGEND);
+    let (main, side) = area.split_horizontally(plane);
     let mut context = ChartBuilder::on(&main)
         .caption(chart.title, ("sans-serif", 20))
         .margin(12)

@@ -6,6 +6,7 @@
 //! RUN/samples.csv     every sample, in integer nanoseconds; append-only
 //! RUN/counts.csv      exact integers of separate, untimed runs
 //! RUN/warnings.csv    what to be careful about
+//! RUN/definitions/    the texts of the definitions, ID.toml
 //! ```
 //!
 //! A key occurs once in a file: definition, set, n, seed and engine, and with it the round of a sample, the
@@ -20,17 +21,21 @@
 //! | [`read`] | files in, with errors that name file, line and field |
 //! | [`write`](mod@write) | whole files out |
 //! | [`journal`] | rows appended one by one, so that a killed run can go on |
-//! | [`run`] | a loaded folder, and views of it |
+//! | [`run`] | a loaded folder, and views of it; `part`: the rows of one definition |
 //! | [`error`] | what can be wrong with a folder |
 
 pub mod error;
 pub mod journal;
 pub mod manifest;
+mod part;
 pub mod read;
 pub mod row;
 pub mod rows;
 pub mod run;
 pub mod write;
+
+/// The folder, in a run's, of the texts of its definitions.
+pub const DEFINITIONS: &str = "definitions";
 
 pub use error::{Problem, RecordError};
 pub use journal::{Journal, Recovered};

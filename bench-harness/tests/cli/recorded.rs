@@ -101,3 +101,43 @@ fn what_is_wrong_with_a_run_is_said() {
     assert_eq!(torn.code, Some(0));
     assert!(torn.stderr.contains("the last line has no end"), "{torn:?}");
 }
+
+#[test]
+fn a_report_is_written_and_a_page_refreshed() {
+    let shop = shop();
+    let page = "# Times\n\n<!-- report:made-up -->\nold\n<!-- /report:made-up -->\n\nend\n";
+    fs::write(shop.folder.path().join("README.md"), page).unwrap();
+    let said = shop.run("report old -o report.html --splice README.md --baseline gs");
+    assert_eq!(said.code, Some(0), "{said:?}");
+    assert!(said.stderr.contains("README.md: 1 tables"), "{said:?}");
+    let html = shop.read("report.html");
+    assert!(html.starts_with("<!DOCTYPE html>") && html.ends_with("</html>\n"));
+    let spliced = shop.read("README.md");
+    assert!(!spliced.contains("old\n") && spliced.ends_with("<!-- /report:made-up -->\n\nend\n"));
+    let rows = spliced
+        .lines()
+        .filter(|line| line.starts_with("| disc "))
+        .count();
+    assert_eq!(rows, 2, "{spliced}");
+    shop.run("report old -o report.html --splice README.md --baseline gs");
+    assert_eq!(shop.read("README.md"), spliced);
+
+    fs::write(
+        shop.folder.path().join("bad.md"),
+        page.replace("made-up", "space"),
+    )
+    .unwrap();
+    let message = shop.run("report old --splice bad.md").failure(3);
+    assert!(
+        message.contains("bad.md:3: the run has no definition 'space'"),
+        "{message}"
+    );
+    assert!(!shop.folder.path().join("old/report.html").exists());
+    let message = shop.run("report old --papers old").failure(3);
+    assert!(
+        message.contains("no folder in it has a claims.csv"),
+        "{message}"
+    );
+    let message = shop.run("report old --counter pears").failure(2);
+    assert!(message.contains("'pears'; there are orient"), "{message}");
+}
