@@ -167,7 +167,8 @@ fn judge_one(problem: Problem, set: &PointSet, answer: &Answer) -> Result<(), St
         (Problem::Hull2, PointSet::Plane(points)) => {
             let hull = answer.hull2(Points::new(points).unwrap());
             let hull = hull.ok_or("no cycle")?;
-            check::hull2(points, Boundary::Extreme, &hull).map_err(|f| format!("{f:?}"))
+            let checked = check::hull2(points, Boundary::Extreme, &hull);
+            checked.map(drop).map_err(|f| format!("{f:?}"))
         }
         (Problem::Hull3, PointSet::Space(points)) => {
             let hull = hullkit::convex_hull_3d(points).unwrap();
@@ -176,7 +177,8 @@ fn judge_one(problem: Problem, set: &PointSet, answer: &Answer) -> Result<(), St
         }
         (Problem::Delaunay, PointSet::Plane(points)) => {
             let triangulation = answer.triangulation().ok_or("no triangles")?;
-            check::delaunay(points, &triangulation).map_err(|f| format!("{f:?}"))
+            let checked = check::delaunay(points, &triangulation);
+            checked.map(drop).map_err(|f| format!("{f:?}"))
         }
         _ => Err("no peer peels".into()),
     }

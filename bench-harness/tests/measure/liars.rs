@@ -94,14 +94,16 @@ fn whoever_is_right_about_the_first_set_of_a_batch_only_is_wrong() {
         .iter()
         .filter(|cell| cell.subject.engine == "fake");
     for cell in of_fake {
-        let in_batches = cell.subject.case.n == 50;
-        let due = if in_batches {
+        // A lattice is the same whatever the seed.
+        let case = &cell.subject.case;
+        let differ = case.n == 50 && case.set == "disc";
+        let due = if differ {
             Outcome::Wrong
         } else {
             Outcome::Certified
         };
         assert_eq!(cell.outcome, due, "{}: {}", cell.subject, cell.finding);
-        assert_eq!(cell.finding.contains("3 of 4 sets"), in_batches);
+        assert_eq!(cell.finding.contains("3 of 4 sets"), differ);
     }
     let small = run.samples.iter().filter(|s| s.subject.case.n == 50);
     let calls: Vec<u64> = small.map(|sample| sample.inner.get()).collect();
