@@ -89,6 +89,11 @@ impl Engine for Fake {
                 println!(r#"{{"loaded":1}}"#);
                 sleep_for_ever()
             }
+            // Knows nothing of batches.
+            "single" if load.sets.get() > 1 => {
+                println!(r#"{{"loaded":{}}}"#, load.n);
+                sleep_for_ever()
+            }
             _ => self.honest.load(load, coordinates),
         }
     }
@@ -118,8 +123,10 @@ impl Engine for Fake {
         }
     }
 
-    fn hull(&mut self) -> Result<Answer, String> {
-        let answer = self.honest.hull()?;
+    fn hull(&mut self, set: u32) -> Result<Answer, String> {
+        // Of every set it tells what it found for the first one.
+        let set = if self.mode == "stale" { 0 } else { set };
+        let answer = self.honest.hull(set)?;
         let mut vertices: Vec<u32> = answer.parts().flatten().copied().collect();
         match &*self.mode {
             // A hull, but not that of the points.

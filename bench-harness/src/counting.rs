@@ -10,9 +10,29 @@ pub(crate) type Counters = BTreeMap<&'static str, u64>;
 
 /// Points of the plane or of space.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum PointSet {
+pub enum PointSet {
+    /// Points of the plane
     Plane(Vec<[f64; 2]>),
+    /// Points of space
     Space(Vec<[f64; 3]>),
+}
+
+impl PointSet {
+    /// How many coordinates a point has.
+    pub fn dimension(&self) -> usize {
+        match self {
+            PointSet::Plane(_) => 2,
+            PointSet::Space(_) => 3,
+        }
+    }
+
+    /// The coordinates, point by point.
+    pub fn coordinates(&self) -> &[f64] {
+        match self {
+            PointSet::Plane(points) => points.as_flattened(),
+            PointSet::Space(points) => points.as_flattened(),
+        }
+    }
 }
 
 /// What `task` asks and does on `points`, the whole call with its set-up; `None` where a method has no counted instance

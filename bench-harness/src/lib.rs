@@ -10,7 +10,7 @@
 //! | [`claimed`] | hulls as others state them, as values for the checker |
 //! | [`output`] | how results leave the program: CSV, JSON, summaries; files that appear whole or not at all |
 //! | [`failure`] | why the program stops early, and the exit code that says so |
-//! | `counting` | a method run with every question counted |
+//! | [`counting`] | a method run with every question counted |
 //! | `definition` | an experiment as data |
 //! | [`measure`] | engines verified, counted and timed, into a run on disk |
 //! | [`report`] | a recorded run as one HTML file |
@@ -21,7 +21,7 @@
 pub mod analysis;
 pub mod claimed;
 pub mod commands;
-mod counting;
+pub mod counting;
 mod definition;
 pub mod engine;
 pub mod failure;

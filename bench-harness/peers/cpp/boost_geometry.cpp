@@ -22,7 +22,6 @@ public:
   std::vector<std::string> tasks() const override { return {"hull2"}; }
 
   void load(const peer::Points& points) override {
-    input_.clear();
     input_.reserve(points.n);
     for (std::size_t i = 0; i < points.n; ++i) input_.emplace_back(points.at(i)[0], points.at(i)[1]);
   }
@@ -54,6 +53,5 @@ private:
 };
 
 int main() {
-  Boost engine;
-  return peer::serve("boost-geometry", engine);
+  return peer::serve("boost-geometry", std::make_unique<Boost>);
 }

@@ -36,7 +36,6 @@ public:
   std::vector<std::string> tasks() const override { return {"hull2"}; }
 
   void load(const peer::Points& points) override {
-    input_.clear();
     input_.reserve(points.n);
     for (std::size_t i = 0; i < points.n; ++i) input_.emplace_back(points.at(i)[0], points.at(i)[1]);
   }
@@ -71,6 +70,5 @@ int main(int count, char** arguments) {
     std::cerr << "usage: cgal-2d ENGINE\n";
     return 2;
   }
-  Cgal engine(method->second);
-  return peer::serve(method->first, engine);
+  return peer::serve(method->first, [method] { return std::make_unique<Cgal>(method->second); });
 }

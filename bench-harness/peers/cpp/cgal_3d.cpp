@@ -18,7 +18,6 @@ public:
   std::vector<std::string> tasks() const override { return {"hull3"}; }
 
   void load(const peer::Points& points) override {
-    input_.clear();
     input_.reserve(points.n);
     for (std::size_t i = 0; i < points.n; ++i) {
       const double* p = points.at(i);
@@ -76,6 +75,5 @@ private:
 };
 
 int main() {
-  Cgal engine;
-  return peer::serve("cgal-3d", engine);
+  return peer::serve("cgal-3d", std::make_unique<Cgal>);
 }

@@ -19,7 +19,6 @@ public:
   std::vector<std::string> tasks() const override { return {"delaunay"}; }
 
   void load(const peer::Points& points) override {
-    input_.clear();
     input_.reserve(points.n);
     for (std::size_t i = 0; i < points.n; ++i) input_.emplace_back(points.at(i)[0], points.at(i)[1]);
   }
@@ -50,6 +49,5 @@ private:
 };
 
 int main() {
-  Cgal engine;
-  return peer::serve("cgal-delaunay", engine);
+  return peer::serve("cgal-delaunay", std::make_unique<Cgal>);
 }

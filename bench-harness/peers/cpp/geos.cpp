@@ -17,8 +17,6 @@ public:
   std::vector<std::string> tasks() const override { return {"hull2"}; }
 
   void load(const peer::Points& points) override {
-    GEOSGeom_destroy_r(geos_, input_);
-    input_ = nullptr;
     if (points.n < 2) throw std::runtime_error("a line needs two points");
     GEOSCoordSequence* line = GEOSCoordSeq_create_r(geos_, points.n, 2);
     for (std::size_t i = 0; i < points.n; ++i) {
@@ -65,6 +63,5 @@ private:
 };
 
 int main() {
-  Geos engine;
-  return peer::serve("geos", engine);
+  return peer::serve("geos", std::make_unique<Geos>);
 }

@@ -1,5 +1,5 @@
 // The engine's end of the pipe protocol, version 1 (see bench-harness/PROTOCOL.md): include it, derive from
-// peer::Engine, call peer::serve in main.
+// peer::Engine, call peer::serve in main. Every set of a batch gets an engine of its own.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -45,9 +47,6 @@ public:
     if (found == smallest_.end()) throw std::runtime_error("a vertex of the result is none of the points");
     return found->second;
   }
-
-  // Has to be said when the coordinates have changed.
-  void changed() { smallest_.clear(); }
 
 private:
   using Key = std::array<std::uint64_t, 3>;
@@ -86,13 +85,14 @@ struct Hull {
   }
 };
 
-// What computes. Any std::exception is a refusal, with its text as the reason.
+// What computes, with one set of points and its last result. Any std::exception is a refusal, with its text as the
+// reason.
 class Engine {
 public:
   virtual ~Engine() = default;
   virtual std::string version() const = 0;
   virtual std::vector<std::string> tasks() const = 0;
-  // Converts to the engine's own type of points: not timed.
+  // Converts to the engine's own type of points: not timed, and done once.
   virtual void load(const Points& points) = 0;
   // Computes, and keeps the result in place of the one before: timed.
   virtual void call() = 0;
@@ -101,6 +101,9 @@ public:
   // The result as indices, any copy of a point standing for it: not timed.
   virtual Hull hull(const Points& points) = 0;
 };
+
+// Makes an engine that has no points yet.
+using Make = std::function<std::unique_ptr<Engine>()>;
 
 // Turns a cycle of points of the plane anticlockwise.
 inline void anticlockwise(const Points& points, std::vector<std::uint32_t>& cycle) {
@@ -136,8 +139,9 @@ inline std::string field(const std::string& json, const std::string& name) {
   return json.substr(from, json.find_first_of(",}", from) - from);
 }
 
-inline unsigned long number(const std::string& json, const std::string& name) {
-  return std::strtoul(field(json, name).c_str(), nullptr, 10);
+inline unsigned long number(const std::string& json, const std::string& name, const char* otherwise = "0") {
+  const std::string digits = field(json, name);
+  return std::strtoul(digits.empty() ? otherwise : digits.c_str(), nullptr, 10);
 }
 
 // The smallest step of the clock that was seen.
@@ -199,12 +203,20 @@ inline std::string receipt(const std::string& name, const Engine& engine) {
   return out.str();
 }
 
-inline std::vector<long long> sample(Engine& engine, unsigned long samples, unsigned long inner) {
+// A set of points, and the engine that has it.
+struct Set {
+  Points points;
+  std::unique_ptr<Engine> engine;
+};
+
+inline std::vector<long long> sample(const std::vector<Set>& sets, unsigned long samples, unsigned long inner) {
   std::vector<long long> nanoseconds;
   for (unsigned long i = 0; i < samples; ++i) {
-    engine.forget();
+    for (const Set& set : sets) set.engine->forget();
     const auto start = Clock::now();
-    for (unsigned long call = 0; call < inner; ++call) engine.call();
+    for (unsigned long pass = 0; pass < inner; ++pass) {
+      for (const Set& set : sets) set.engine->call();
+    }
     const auto time = Clock::now() - start;
     nanoseconds.push_back(std::chrono::duration_cast<std::chrono::nanoseconds>(time).count());
   }
@@ -220,7 +232,7 @@ inline void write(const std::vector<std::uint32_t>& numbers) {
 // Answers commands.
 class Server {
 public:
-  Server(const std::string& name, Engine& engine) : name_(name), engine_(engine) {}
+  Server(const std::string& name, const Make& make) : name_(name), make_(make) {}
 
   // Goes on until `quit` or the end of the input.
   int serve() {
@@ -240,13 +252,13 @@ public:
 private:
   void answer(const std::string& word, const std::string& line) {
     if (word == "version") {
-      std::cout << detail::receipt(name_, engine_) << '\n';
+      std::cout << detail::receipt(name_, *make_()) << '\n';
     } else if (word == "load") {
       load(line);
     } else if (word == "run") {
       run(detail::number(line, "samples"), detail::number(line, "inner"));
     } else if (word == "hull") {
-      hull();
+      hull(detail::number(line, "set"));
     } else if (word == "counters") {
       std::cout << "{\"counters\":{";
       if (peak_.is_known()) std::cout << "\"peak_bytes\":" << peak_.bytes();
@@ -257,31 +269,38 @@ private:
   }
 
   void load(const std::string& line) {
-    engine_.forget();
-    is_loaded_ = has_run_ = false;
-    points_.task = detail::field(line, "task");
-    points_.n = detail::number(line, "n");
-    points_.dimension = detail::number(line, "dimension");
-    points_.changed();
-    points_.coordinates.assign(points_.n * points_.dimension, 0.0);
-    const std::size_t bytes = points_.coordinates.size() * sizeof(double);
-    std::cin.read(reinterpret_cast<char*>(points_.coordinates.data()), bytes);
-    const auto tasks = engine_.tasks();
-    if (std::find(tasks.begin(), tasks.end(), points_.task) == tasks.end()) {
-      throw std::runtime_error("does not do " + points_.task);
-    }
+    sets_.clear();
+    has_run_ = false;
+    std::vector<detail::Set> sets(detail::number(line, "sets", "1"));
+    for (detail::Set& set : sets) read(line, set.points);
+    if (sets.empty()) throw std::runtime_error("no sets");
+    const std::string task = detail::field(line, "task");
+    const auto tasks = make_()->tasks();
+    if (std::find(tasks.begin(), tasks.end(), task) == tasks.end()) throw std::runtime_error("does not do " + task);
     if (detail::field(line, "boundary") == "all") throw std::runtime_error("finds extreme points only");
-    engine_.load(points_);
-    is_loaded_ = true;
-    std::cout << "{\"loaded\":" << points_.n << "}\n";
+    for (detail::Set& set : sets) {
+      set.engine = make_();
+      set.engine->load(set.points);
+    }
+    sets_ = std::move(sets);
+    std::cout << "{\"loaded\":" << sets_[0].points.n << ",\"sets\":" << sets_.size() << "}\n";
+  }
+
+  static void read(const std::string& line, Points& points) {
+    points.task = detail::field(line, "task");
+    points.n = detail::number(line, "n");
+    points.dimension = detail::number(line, "dimension");
+    points.coordinates.resize(points.n * points.dimension);
+    const std::size_t bytes = points.coordinates.size() * sizeof(double);
+    std::cin.read(reinterpret_cast<char*>(points.coordinates.data()), bytes);
   }
 
   void run(unsigned long samples, unsigned long inner) {
-    if (!is_loaded_) throw std::runtime_error("no points were loaded");
+    if (sets_.empty()) throw std::runtime_error("no points were loaded");
     if (samples == 0 || inner == 0) throw std::runtime_error("nothing to run");
     has_run_ = false;
     peak_.begin();
-    const auto nanoseconds = detail::sample(engine_, samples, inner);
+    const auto nanoseconds = detail::sample(sets_, samples, inner);
     peak_.end();
     has_run_ = true;
     std::cout << "{\"nanoseconds\":[";
@@ -289,10 +308,12 @@ private:
     std::cout << "]}\n";
   }
 
-  void hull() {
+  void hull(unsigned long number) {
     if (!has_run_) throw std::runtime_error("nothing was run");
-    Hull hull = engine_.hull(points_);
-    for (std::uint32_t& id : hull.indices) id = points_.find(points_.at(id));
+    if (number >= sets_.size()) throw std::runtime_error("there is no set " + std::to_string(number));
+    const detail::Set& set = sets_[number];
+    Hull hull = set.engine->hull(set.points);
+    for (std::uint32_t& id : hull.indices) id = set.points.find(set.points.at(id));
     std::cout << "{\"kind\":" << detail::quoted(hull.kind) << ",\"lengths\":" << hull.lengths.size()
               << ",\"indices\":" << hull.indices.size() << "}\n";
     detail::write(hull.lengths);
@@ -300,16 +321,16 @@ private:
   }
 
   std::string name_;
-  Engine& engine_;
-  Points points_;
+  Make make_;
+  std::vector<detail::Set> sets_;
   detail::Peak peak_;
-  bool is_loaded_ = false, has_run_ = false;
+  bool has_run_ = false;
 };
 
 // Answers commands as the engine `name`; what main returns.
-inline int serve(const std::string& name, Engine& engine) {
+inline int serve(const std::string& name, const Make& make) {
   std::ios::sync_with_stdio(false);
-  return Server(name, engine).serve();
+  return Server(name, make).serve();
 }
 
 }  // namespace peer

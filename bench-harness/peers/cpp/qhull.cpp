@@ -122,6 +122,5 @@ private:
 };
 
 int main() {
-  Qhull engine;
-  return peer::serve("qhull", engine);
+  return peer::serve("qhull", std::make_unique<Qhull>);
 }

@@ -11,13 +11,14 @@ class Refusal(Exception):
     """Why not, in words."""
 
 
-def serve(name, engine):
+def serve(name, make):
     """Answers commands until `quit` or the end of the input.
 
-    `engine` has `version`, `tasks`, and `load(task, points)`, `call()`, which returns a result, and
-    `hull(task, points, result)`, which returns a kind and a list of parts.
+    `make` is a class with `version` and `tasks`; every set of a batch gets an instance of its own, which has
+    `load(task, points)`, `call()`, which returns a result, and `hull(task, points, result)`, which returns a kind and a
+    list of parts.
     """
-    server = Server(name, engine)
+    server = Server(name, make)
     for line in sys.stdin.buffer:
         word, _, rest = line.decode().strip().partition(" ")
         if word == "quit":
@@ -34,78 +35,89 @@ def serve(name, engine):
 
 
 class Server:
-    def __init__(self, name, engine):
-        self.name, self.engine = name, engine
-        self.task = self.points = self.result = self.peak = None
+    def __init__(self, name, make):
+        self.name, self.make = name, make
+        self.task = self.peak = None
+        self.sets, self.engines, self.results = [], [], []
 
     def answer(self, word, rest):
         """The reply, and the arrays that follow it."""
         if word == "version":
-            return receipt(self.name, self.engine), []
+            return receipt(self.name, self.make), []
         if word == "load":
             return self.load(json.loads(rest)), []
         if word == "run":
             return self.run(json.loads(rest)), []
         if word == "hull":
-            return self.hull()
+            return self.hull(json.loads(rest)["set"] if rest else 0)
         if word == "counters":
             return {"counters": {"peak_bytes": self.peak} if self.peak else {}}, []
         raise Refusal(f"there is no command {word}")
 
     def load(self, header):
-        self.task = self.points = self.result = None
-        shape = (header["n"], header["dimension"])
-        raw = sys.stdin.buffer.read(8 * shape[0] * shape[1])
-        if header["task"] not in self.engine.tasks:
+        self.sets, self.engines, self.results = [], [], []
+        shape = (header.get("sets", 1), header["n"], header["dimension"])
+        raw = sys.stdin.buffer.read(8 * shape[0] * shape[1] * shape[2])
+        if shape[0] == 0:
+            raise Refusal("no sets")
+        if header["task"] not in self.make.tasks:
             raise Refusal(f"does not do {header['task']}")
         if header.get("boundary") == "all":
             raise Refusal("finds extreme points only")
-        points = np.frombuffer(raw, dtype="<f8").reshape(shape)
-        self.engine.load(header["task"], points)
-        self.task, self.points = header["task"], points
-        return {"loaded": header["n"]}
+        sets = np.frombuffer(raw, dtype="<f8").reshape(shape)
+        engines = [self.make() for _ in sets]
+        for engine, points in zip(engines, sets):
+            engine.load(header["task"], points)
+        self.task, self.sets, self.engines = header["task"], sets, engines
+        return {"loaded": header["n"], "sets": len(sets)}
 
     def run(self, header):
-        if self.points is None:
+        if len(self.sets) == 0:
             raise Refusal("no points were loaded")
+        self.results = []
         before = reset_peak() if self.peak is None else None
-        self.result, nanoseconds = sample(self.engine, header["samples"], header["inner"])
+        self.results, nanoseconds = sample(self.engines, header["samples"], header["inner"])
         if before is not None:
             self.peak = status("VmHWM:") - before
         return {"nanoseconds": nanoseconds}
 
-    def hull(self):
-        if self.result is None:
+    def hull(self, number):
+        if not self.results:
             raise Refusal("nothing was run")
-        kind, parts = self.engine.hull(self.task, self.points, self.result)
+        if not 0 <= number < len(self.results):
+            raise Refusal(f"there is no set {number}")
+        points = self.sets[number]
+        kind, parts = self.engines[number].hull(self.task, points, self.results[number])
         lengths = np.array([len(part) for part in parts], dtype="<u4")
         indices = np.concatenate(parts).astype(np.int64) if len(parts) else np.empty(0, np.int64)
-        indices = smallest_copies(self.points)[indices].astype("<u4")
+        indices = smallest_copies(points)[indices].astype("<u4")
         return {"kind": kind, "lengths": len(lengths), "indices": len(indices)}, [lengths, indices]
 
 
-def receipt(name, engine):
+def receipt(name, make):
     return {
         "protocol": 1,
         "engine": name,
-        "version": engine.version,
+        "version": make.version,
         "clock_ns": clock_resolution(),
-        "tasks": engine.tasks,
+        "tasks": make.tasks,
         "build": "Python " + sys.version.split()[0],
     }
 
 
-def sample(engine, samples, inner):
-    """The last result, and the wall time of each sample of `inner` calls in a row."""
+def sample(engines, samples, inner):
+    """The last results, and the wall time of each sample of `inner` passes over the engines."""
     nanoseconds = []
-    result = None
+    calls = [engine.call for engine in engines]
+    results = []
     for _ in range(samples):
-        result = None
+        results = [None] * len(calls)
         start = time.perf_counter_ns()
         for _ in range(inner):
-            result = engine.call()
+            for number, call in enumerate(calls):
+                results[number] = call()
         nanoseconds.append(time.perf_counter_ns() - start)
-    return result, nanoseconds
+    return results, nanoseconds
 
 
 def smallest_copies(points):

@@ -36,4 +36,4 @@ class Scipy:
 
 
 if __name__ == "__main__":
-    protocol.serve(sys.argv[1] if len(sys.argv) > 1 else "scipy", Scipy())
+    protocol.serve(sys.argv[1] if len(sys.argv) > 1 else "scipy", Scipy)

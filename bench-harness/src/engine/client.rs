@@ -10,13 +10,15 @@ use super::fault::Fault;
 use super::incoming::{Incoming, Stop};
 use super::protocol::{
     Command, Convention, Counters, HullHeader, Load, Loaded, PROTOCOL, Problem, Receipt, Reply,
-    Run, Samples, line,
+    Run, Samples, Which, line,
 };
+use crate::counting::PointSet;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::collections::{BTreeMap, VecDeque};
 use std::ffi::OsString;
 use std::io::{Read, Write};
+use std::num::NonZeroU32;
 use std::path::PathBuf;
 use std::process::{Child, ChildStderr, ChildStdin, Stdio};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -117,7 +119,7 @@ impl Session {
         self.child.id()
     }
 
-    /// Hands over points for `problem`.
+    /// Hands over one set of points for `problem`.
     ///
     /// # Errors
     ///
@@ -129,33 +131,73 @@ impl Session {
         points: &[[f64; D]],
         limit: Duration,
     ) -> Result<(), Fault> {
+        self.hand_over(problem, boundary, D, &[points.as_flattened()], limit)
+    }
+
+    /// Hands over sets of as many points each for `problem`; every pass of a run goes through all of them.
+    ///
+    /// # Errors
+    ///
+    /// Any fault but [`Fault::Absent`]; [`Fault::Refused`] for no sets and for sets that differ in size or dimension.
+    pub fn load_sets(
+        &mut self,
+        problem: Problem,
+        boundary: Convention,
+        sets: &[PointSet],
+        limit: Duration,
+    ) -> Result<(), Fault> {
+        let dimension = sets.first().map_or(0, PointSet::dimension);
+        if sets.iter().any(|set| set.dimension() != dimension) {
+            self.loaded = None;
+            return Err(refused("sets of different dimensions"));
+        }
+        let sets: Vec<&[f64]> = sets.iter().map(PointSet::coordinates).collect();
+        self.hand_over(problem, boundary, dimension, &sets, limit)
+    }
+
+    fn hand_over(
+        &mut self,
+        problem: Problem,
+        boundary: Convention,
+        dimension: usize,
+        sets: &[&[f64]],
+        limit: Duration,
+    ) -> Result<(), Fault> {
         self.loaded = None;
-        let refused = |reason: String| Fault::Refused { reason };
-        let n = u32::try_from(points.len()).map_err(|_| refused("too many points".into()))?;
-        if D != problem.dimension() {
-            return Err(refused(format!(
-                "{problem} is not about points of {D} coordinates"
-            )));
+        let number = u32::try_from(sets.len()).ok().and_then(NonZeroU32::new);
+        let (Some(first), Some(number)) = (sets.first(), number) else {
+            return Err(refused("no sets, or too many"));
+        };
+        if dimension != problem.dimension() {
+            let what = format!("{problem} is not about points of {dimension} coordinates");
+            return Err(refused(&what));
+        }
+        if sets.iter().any(|set| set.len() != first.len()) {
+            return Err(refused("sets of different sizes"));
         }
         if !self.receipt.tasks.contains(&problem) {
-            return Err(refused(format!(
-                "{} does not do {problem}",
-                self.receipt.engine
-            )));
+            let what = format!("{} does not do {problem}", self.receipt.engine);
+            return Err(refused(&what));
         }
+        let n = u32::try_from(first.len() / dimension).map_err(|_| refused("too many points"))?;
         let load = Load {
             task: problem,
             n,
-            dimension: D,
+            sets: number,
+            dimension,
             boundary,
         };
-        let mut raw = Vec::with_capacity(size_of_val(points));
-        for x in points.as_flattened() {
+        let mut raw = Vec::with_capacity(size_of_val(*first) * sets.len());
+        for x in sets.iter().copied().flatten() {
             raw.extend_from_slice(&x.to_le_bytes());
         }
         let reply: Loaded = self.ask(Command::Load(load), raw, limit)?;
-        if reply.loaded != n {
-            return Err(self.fall(garbled(line(&Loaded { loaded: n }), line(&reply))));
+        let due = Loaded {
+            loaded: n,
+            sets: number,
+        };
+        if reply != due {
+            return Err(self.fall(garbled(line(&due), line(&reply))));
         }
         self.loaded = Some(load);
         Ok(())
@@ -185,18 +227,27 @@ impl Session {
         })
     }
 
-    /// The hull of the last run.
+    /// The hull of the first set, of the last run.
     ///
     /// # Errors
     ///
     /// Any fault but [`Fault::Absent`].
     pub fn hull(&mut self, limit: Duration) -> Result<Answer, Fault> {
+        self.hull_of(0, limit)
+    }
+
+    /// The hull of set number `set`, of the last pass of the last run.
+    ///
+    /// # Errors
+    ///
+    /// Any fault but [`Fault::Absent`].
+    pub fn hull_of(&mut self, set: u32, limit: Duration) -> Result<Answer, Fault> {
         let Some(load) = self.loaded else {
-            let reason = "no points were loaded".to_owned();
-            return Err(self.fallen.clone().unwrap_or(Fault::Refused { reason }));
+            let fallen = self.fallen.clone();
+            return Err(fallen.unwrap_or_else(|| refused("no points were loaded")));
         };
         let deadline = Instant::now() + limit;
-        let header: HullHeader = self.ask(Command::Hull, Vec::new(), limit)?;
+        let header: HullHeader = self.ask(Command::Hull(Which { set }), Vec::new(), limit)?;
         let count = header.lengths.saturating_add(header.indices);
         let bytes = count.saturating_mul(size_of::<u32>());
         let most = Answer::most_bytes(load.task, load.n);
@@ -317,6 +368,12 @@ impl Session {
 impl Drop for Session {
     fn drop(&mut self) {
         self.kill();
+    }
+}
+
+fn refused(reason: &str) -> Fault {
+    Fault::Refused {
+        reason: reason.to_owned(),
     }
 }
 

@@ -103,13 +103,16 @@ impl From<Convention> for Boundary {
     }
 }
 
-/// What to load: the points follow, `n * dimension` raw `f64`.
+/// What to load: the points follow, `sets * n * dimension` raw `f64`, set by set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Load {
     /// What will be asked about the points.
     pub task: Problem,
-    /// How many points follow.
+    /// How many points each set has.
     pub n: u32,
+    /// How many sets follow.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub sets: NonZeroU32,
     /// How many coordinates each has.
     pub dimension: usize,
     /// Which boundary points are vertices.
@@ -118,10 +121,17 @@ pub struct Load {
 }
 
 impl Load {
-    /// How many bytes follow, if the dimension is that of the problem.
+    /// How many bytes follow, if the dimension is that of the problem and there can be so many.
     pub fn bytes(&self) -> Option<usize> {
         let fits = self.dimension == self.task.dimension();
-        fits.then(|| self.n as usize * self.dimension * size_of::<f64>())
+        let points = (self.n as usize).checked_mul(self.sets.get() as usize)?;
+        let bytes = points.checked_mul(self.dimension * size_of::<f64>())?;
+        fits.then_some(bytes)
+    }
+
+    /// How many coordinates a set has.
+    pub fn coordinates(&self) -> usize {
+        self.n as usize * self.dimension
     }
 }
 
@@ -130,16 +140,23 @@ impl Load {
 pub struct Run {
     /// How many samples to take.
     pub samples: NonZeroU32,
-    /// How many calls in a row make one sample.
+    /// How many passes over the sets make one sample; with one set these are calls in a row.
     pub inner: NonZeroU32,
 }
 
 impl Run {
-    /// One call.
+    /// One pass.
     pub const ONCE: Run = Run {
         samples: NonZeroU32::MIN,
         inner: NonZeroU32::MIN,
     };
+}
+
+/// Whose hull to hand over.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Which {
+    /// The number of the set, from 0.
+    pub set: u32,
 }
 
 /// A command line.
@@ -147,12 +164,12 @@ impl Run {
 pub enum Command {
     /// Who are you?
     Version,
-    /// Take these points.
+    /// Take these sets of points.
     Load(Load),
     /// Compute, and tell how long it took.
     Run(Run),
-    /// Hand over the hull of the last run.
-    Hull,
+    /// Hand over the hull of a set, of the last run.
+    Hull(Which),
     /// Tell whatever was counted.
     Counters,
     /// End.
@@ -166,7 +183,7 @@ impl Command {
             Command::Version => "version",
             Command::Load(_) => "load",
             Command::Run(_) => "run",
-            Command::Hull => "hull",
+            Command::Hull(_) => "hull",
             Command::Counters => "counters",
             Command::Quit => "quit",
         }
@@ -179,7 +196,8 @@ impl fmt::Display for Command {
         match self {
             Command::Load(load) => write!(f, " {}", line(load)),
             Command::Run(run) => write!(f, " {}", line(run)),
-            Command::Version | Command::Hull | Command::Counters | Command::Quit => Ok(()),
+            Command::Hull(which) if *which != Which::default() => write!(f, " {}", line(which)),
+            Command::Version | Command::Hull(_) | Command::Counters | Command::Quit => Ok(()),
         }
     }
 }
@@ -194,7 +212,8 @@ impl FromStr for Command {
             "version" => Ok(Command::Version),
             "load" => parse(rest).map(Command::Load),
             "run" => parse(rest).map(Command::Run),
-            "hull" => Ok(Command::Hull),
+            "hull" if rest.is_empty() => Ok(Command::Hull(Which::default())),
+            "hull" => parse(rest).map(Command::Hull),
             "counters" => Ok(Command::Counters),
             "quit" => Ok(Command::Quit),
             _ => Err(format!("there is no command {word:?}")),
@@ -223,8 +242,11 @@ pub struct Receipt {
 /// The reply to `load`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Loaded {
-    /// How many points were taken.
+    /// How many points of each set were taken.
     pub loaded: u32,
+    /// How many sets were taken: who does not know of sets takes one.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub sets: NonZeroU32,
 }
 
 /// The reply to `run`.
@@ -288,6 +310,16 @@ pub fn line(value: &impl Serialize) -> String {
     serde_json::to_string(value).unwrap_or_default()
 }
 
+fn one() -> NonZeroU32 {
+    NonZeroU32::MIN
+}
+
+// Its form is that which serde asks for.
+#[allow(clippy::trivially_copy_pass_by_ref)]
+fn is_one(number: &NonZeroU32) -> bool {
+    *number == NonZeroU32::MIN
+}
+
 fn parse<T: DeserializeOwned>(text: &str) -> Result<T, String> {
     serde_json::from_str(text).map_err(|error| format!("{text:?} is not understood: {error}"))
 }
@@ -302,21 +334,23 @@ mod tests {
 
     #[test]
     fn every_command_is_read_as_it_was_written() {
-        let load = |boundary| Load {
+        let load = |boundary, sets| Load {
             task: Problem::Hull2,
             n: 1000,
+            sets: some(sets),
             dimension: 2,
             boundary,
         };
         for command in [
             Command::Version,
-            Command::Load(load(Convention::Extreme)),
-            Command::Load(load(Convention::All)),
+            Command::Load(load(Convention::Extreme, 1)),
+            Command::Load(load(Convention::All, 200)),
             Command::Run(Run {
                 samples: some(3),
                 inner: some(16),
             }),
-            Command::Hull,
+            Command::Hull(Which { set: 0 }),
+            Command::Hull(Which { set: 7 }),
             Command::Counters,
             Command::Quit,
         ] {
@@ -326,11 +360,18 @@ mod tests {
 
     #[test]
     fn commands_look_as_they_are_written_down() {
-        let text = r#"load {"task":"hull3","n":1000,"dimension":3,"boundary":"extreme"}"#;
-        let command: Command = text.parse().unwrap();
-        assert_eq!(command.to_string(), text);
-        let run: Command = r#"run {"samples":3,"inner":16}"#.parse().unwrap();
-        assert_eq!(run.to_string(), r#"run {"samples":3,"inner":16}"#);
+        for text in [
+            r#"load {"task":"hull3","n":1000,"dimension":3,"boundary":"extreme"}"#,
+            r#"load {"task":"hull2","n":100,"sets":200,"dimension":2,"boundary":"extreme"}"#,
+            r#"run {"samples":3,"inner":16}"#,
+            "hull",
+            r#"hull {"set":7}"#,
+        ] {
+            let command: Command = text.parse().unwrap();
+            assert_eq!(command.to_string(), text);
+        }
+        let first: Command = r#"hull {"set":0}"#.parse().unwrap();
+        assert_eq!(first, Command::Hull(Which::default()));
     }
 
     #[test]
@@ -343,6 +384,9 @@ mod tests {
             "run {\"samples\":1}",
             "load {\"task\":\"hull4\",\"n\":1,\"dimension\":4}",
             "load {\"task\":\"hull2\",\"n\":-1,\"dimension\":2}",
+            "load {\"task\":\"hull2\",\"n\":1,\"sets\":0,\"dimension\":2}",
+            "hull {\"set\":-1}",
+            "hull 1",
         ] {
             assert!(text.parse::<Command>().is_err(), "{text:?}");
         }
@@ -353,10 +397,11 @@ mod tests {
         let mut load = Load {
             task: Problem::Hull3,
             n: 7,
+            sets: some(5),
             dimension: 3,
             boundary: Convention::Extreme,
         };
-        assert_eq!(load.bytes(), Some(7 * 3 * 8));
+        assert_eq!(load.bytes(), Some(5 * 7 * 3 * 8));
         load.dimension = 2;
         assert_eq!(load.bytes(), None);
     }
@@ -364,10 +409,12 @@ mod tests {
     #[test]
     fn a_reply_is_what_was_asked_for_or_a_refusal() {
         let read = |text| serde_json::from_str::<Reply<Loaded>>(text).ok();
-        assert_eq!(
-            read(r#"{"loaded":5}"#),
-            Some(Reply::Done(Loaded { loaded: 5 }))
-        );
+        let loaded = |loaded, sets| {
+            let sets = some(sets);
+            Some(Reply::Done(Loaded { loaded, sets }))
+        };
+        assert_eq!(read(r#"{"loaded":5}"#), loaded(5, 1));
+        assert_eq!(read(r#"{"loaded":5,"sets":3}"#), loaded(5, 3));
         let refused = "no room".to_owned();
         assert_eq!(
             read(r#"{"refused":"no room"}"#),

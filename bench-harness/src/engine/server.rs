@@ -10,26 +10,27 @@ pub trait Engine {
     /// Who this is.
     fn receipt(&self) -> Receipt;
 
-    /// Takes points, coordinate by coordinate, and converts them to whatever [`run`](Self::run) needs.
+    /// Takes sets of points, set by set, coordinate by coordinate, and converts them to whatever [`run`](Self::run)
+    /// needs.
     ///
     /// # Errors
     ///
     /// The reason of a refusal.
     fn load(&mut self, load: &Load, coordinates: Vec<f64>) -> Result<(), String>;
 
-    /// Takes samples, in nanoseconds, and keeps the last result.
+    /// Takes samples, in nanoseconds, and keeps the last result of each set.
     ///
     /// # Errors
     ///
     /// The reason of a refusal.
     fn run(&mut self, run: &Run) -> Result<Vec<u64>, String>;
 
-    /// The last result.
+    /// The last result of set number `set`.
     ///
     /// # Errors
     ///
     /// The reason of a refusal.
-    fn hull(&mut self) -> Result<Answer, String>;
+    fn hull(&mut self, set: u32) -> Result<Answer, String>;
 
     /// Whatever is counted, in a run of its own.
     ///
@@ -59,14 +60,15 @@ pub fn serve(
             Ok(Command::Version) => reply(output, Ok(engine.receipt()))?,
             Ok(Command::Load(load)) => {
                 let coordinates = read_points(input, &load)?;
-                let loaded = engine.load(&load, coordinates);
-                reply(output, loaded.map(|()| Loaded { loaded: load.n }))?;
+                let done = engine.load(&load, coordinates);
+                let (loaded, sets) = (load.n, load.sets);
+                reply(output, done.map(|()| Loaded { loaded, sets }))?;
             }
             Ok(Command::Run(run)) => {
                 let samples = engine.run(&run);
                 reply(output, samples.map(|nanoseconds| Samples { nanoseconds }))?;
             }
-            Ok(Command::Hull) => match engine.hull() {
+            Ok(Command::Hull(which)) => match engine.hull(which.set) {
                 Ok(answer) => {
                     reply(output, Ok(answer.header()))?;
                     answer.write(output)?;
@@ -96,8 +98,8 @@ fn reply<T: Serialize>(output: &mut dyn Write, what: Result<T, String>) -> io::R
 fn read_points(input: &mut dyn BufRead, load: &Load) -> io::Result<Vec<f64>> {
     let Some(bytes) = load.bytes() else {
         let reason = format!(
-            "points of {} do not have {} coordinates",
-            load.task, load.dimension
+            "no {} sets of {} points of {} coordinates for {}",
+            load.sets, load.n, load.dimension, load.task
         );
         return Err(io::Error::new(io::ErrorKind::InvalidData, reason));
     };

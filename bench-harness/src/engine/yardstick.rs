@@ -62,8 +62,10 @@ impl Yardstick {
 pub struct Measure {
     yardstick: Yardstick,
     dimension: usize,
-    points: Vec<f64>,
-    numbers: Vec<f64>,
+    /// The coordinates of each set.
+    points: Vec<Vec<f64>>,
+    /// As many random numbers as each set has points.
+    numbers: Vec<Vec<f64>>,
 }
 
 impl Measure {
@@ -77,22 +79,25 @@ impl Measure {
         }
     }
 
-    /// The time of one call; copies are made while the clock stands.
-    fn call(&self) -> Duration {
+    /// The time of one pass over the sets; copies are made while the clock stands.
+    fn pass(&self) -> Duration {
         match self.yardstick {
             Yardstick::Sort => {
-                let mut numbers = self.numbers.clone();
+                let mut copies = self.numbers.clone();
                 let start = Instant::now();
-                numbers.sort_unstable_by(f64::total_cmp);
-                let time = start.elapsed();
-                black_box(numbers);
-                time
+                for numbers in &mut copies {
+                    numbers.sort_unstable_by(f64::total_cmp);
+                    black_box(numbers);
+                }
+                start.elapsed()
             }
             Yardstick::Pass => {
                 let start = Instant::now();
-                match self.dimension {
-                    2 => drop(black_box(extremes::<2>(&self.points))),
-                    _ => drop(black_box(extremes::<3>(&self.points))),
+                for points in &self.points {
+                    match self.dimension {
+                        2 => drop(black_box(extremes::<2>(points))),
+                        _ => drop(black_box(extremes::<3>(points))),
+                    }
                 }
                 start.elapsed()
             }
@@ -137,20 +142,23 @@ impl Engine for Measure {
     fn load(&mut self, load: &Load, coordinates: Vec<f64>) -> Result<(), String> {
         let mut random = ChaCha8Rng::seed_from_u64(SEED);
         self.dimension = load.dimension;
-        self.numbers = (0..load.n).map(|_| random.random()).collect();
-        self.points = coordinates;
+        let numbers = |_| (0..load.n).map(|_| random.random()).collect();
+        self.numbers = (0..load.sets.get()).map(numbers).collect();
+        // Sets of no points are none.
+        let sets = coordinates.chunks_exact(load.coordinates().max(1));
+        self.points = sets.map(<[f64]>::to_vec).collect();
         Ok(())
     }
 
     fn run(&mut self, run: &Run) -> Result<Vec<u64>, String> {
         let sample = |_| {
-            let calls = (0..run.inner.get()).map(|_| self.call());
-            calls.sum::<Duration>().as_nanos() as u64
+            let passes = (0..run.inner.get()).map(|_| self.pass());
+            passes.sum::<Duration>().as_nanos() as u64
         };
         Ok((0..run.samples.get()).map(sample).collect())
     }
 
-    fn hull(&mut self) -> Result<Answer, String> {
+    fn hull(&mut self, _set: u32) -> Result<Answer, String> {
         Err("a yardstick computes no hull".to_owned())
     }
 

@@ -6,7 +6,6 @@ use super::ledger::Ledger;
 use super::plan::Stop;
 use super::realisation::Realisation;
 use super::roster::Roster;
-use crate::counting::PointSet;
 use crate::definition::Measure;
 use crate::engine::client::Session;
 use crate::engine::fault::Fault;
@@ -125,23 +124,16 @@ fn enter(
     let mut tried = || -> Result<(Session, Judgement, Duration), Fault> {
         let mut session = Session::start(&roster.launch(&subject.engine)?, POLITE)?;
         ledger.met(&subject.engine, session.receipt());
-        let problem = stop.definition.problem;
-        match &realisation.sets[0] {
-            PointSet::Plane(points) => {
-                session.load(problem, Convention::Extreme, points, limit(stop))?
-            }
-            PointSet::Space(points) => {
-                session.load(problem, Convention::Extreme, points, limit(stop))?
-            }
-        }
+        let (problem, sets) = (stop.definition.problem, &realisation.sets);
+        session.load_sets(problem, Convention::Extreme, sets, limit(stop))?;
         let timed = session.run(Run::ONCE, limit(stop))?;
         if let Some(about) = roster.yardstick(&subject.engine) {
             return Ok((session, Judgement::yardstick(about), timed.elapsed));
         }
         let mut judgements = Vec::new();
-        for (number, set) in realisation.sets.iter().enumerate().take(1) {
-            let answer = session.hull(limit(stop))?;
-            judgements.push(reference.judge(number, set, &answer));
+        for (number, set) in (0..).zip(sets) {
+            let answer = session.hull_of(number, limit(stop))?;
+            judgements.push(reference.judge(number as usize, set, &answer));
         }
         Ok((session, Judgement::of_all(judgements), timed.elapsed))
     };
@@ -203,7 +195,8 @@ fn time(
             }
             match sample(stop, contestant) {
                 Ok(nanoseconds) => {
-                    let calls = u64::from(contestant.passes.get());
+                    let sets = realisation.sets.len() as u64;
+                    let calls = u64::from(contestant.passes.get()) * sets;
                     ledger.sample(Sample {
                         subject: contestant.subject.clone(),
                         round,

@@ -72,7 +72,7 @@ pub struct Sample {
     pub subject: Subject,
     /// The round: samples of the same round are neighbours in time.
     pub round: u32,
-    /// Calls in a row.
+    /// Calls in a row: passes over the sets of a batch, times the sets.
     pub inner: NonZeroU64,
     /// The time of all of them together.
     pub nanoseconds: u64,

@@ -1,5 +1,6 @@
 //! Every misbehaviour becomes its outcome, in time, and leaves no process behind.
 
+use bench_harness::counting::PointSet;
 use bench_harness::engine::client::{Launch, Session};
 use bench_harness::engine::fault::Fault;
 use bench_harness::engine::protocol::{Convention, Problem, Run};
@@ -175,6 +176,22 @@ fn points_that_were_lost_are_noticed() {
     let mut session = Session::start(&launch(&["forgetful"]), LONG).unwrap();
     let fault = session
         .load(Problem::Hull2, Convention::Extreme, &SQUARE, LONG)
+        .unwrap_err();
+    assert_eq!(fault.word(), "garbled", "{fault}");
+    assert_over(session, &fault);
+}
+
+#[test]
+fn a_peer_that_knows_nothing_of_batches_does_one_set() {
+    let mut session = Session::start(&launch(&["single"]), LONG).unwrap();
+    session
+        .load(Problem::Hull2, Convention::Extreme, &SQUARE, LONG)
+        .unwrap();
+    session.run(Run::ONCE, LONG).unwrap();
+    assert_eq!(session.hull(LONG).unwrap().vertices(), [0, 1, 3, 4]);
+    let sets = [0, 1].map(|_| PointSet::Plane(SQUARE.to_vec()));
+    let fault = session
+        .load_sets(Problem::Hull2, Convention::Extreme, &sets, LONG)
         .unwrap_err();
     assert_eq!(fault.word(), "garbled", "{fault}");
     assert_over(session, &fault);

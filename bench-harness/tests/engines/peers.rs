@@ -1,5 +1,6 @@
 //! `hullbench peers`, and every peer that is built: the same hull as the library.
 
+use bench_harness::counting::PointSet;
 use bench_harness::engine::answer::Answer;
 use bench_harness::engine::catalogue::{Entry, Places};
 use bench_harness::engine::client::Session;
@@ -9,6 +10,7 @@ use bench_harness::engine::protocol::{Convention, Problem, Run};
 use geometry_core::{Boundary, Points};
 use hull_verify::check;
 use point_sets::Spec;
+use std::num::NonZeroU32;
 use std::process::{Command, Output};
 use std::time::Duration;
 
@@ -110,6 +112,8 @@ fn sources_that_are_not_there_are_missing() {
 
 /// Points of the plane and of space that are easy for everyone: nothing flat, nothing nearly flat, no copies.
 const EASY: usize = 200;
+/// Sets in a batch.
+const SETS: u64 = 6;
 const LIMIT: Duration = Duration::from_secs(60);
 
 #[track_caller]
@@ -126,30 +130,58 @@ fn answer<const D: usize>(
     done.unwrap_or_else(|fault| panic!("{} {problem}: {fault}", peer.name))
 }
 
-/// Whether the checker accepts what `peer` says about easy points.
+/// Sets of easy points for `problem`, no two alike.
+fn easy(problem: Problem) -> Vec<PointSet> {
+    let spec = |name: &str| name.parse::<Spec>().unwrap();
+    let set = |seed| match problem.dimension() {
+        2 => PointSet::Plane(spec("disc").generate(EASY, seed).unwrap()),
+        _ => PointSet::Space(spec("ball").generate3(EASY, seed).unwrap()),
+    };
+    (0..SETS).map(set).collect()
+}
+
+/// Whether the checker accepts what `peer` says about every set of a batch, after two passes.
 fn judge(peer: &Peer, session: &mut Session, problem: Problem) -> Result<(), String> {
-    let disc = "disc".parse::<Spec>().unwrap().generate(EASY, 5).unwrap();
-    let ball = "ball".parse::<Spec>().unwrap().generate3(EASY, 5).unwrap();
-    match problem {
-        Problem::Hull2 => {
-            let hull = answer(peer, session, problem, &disc).hull2(Points::new(&disc).unwrap());
-            let hull = hull.ok_or("no cycle")?;
-            check::hull2(&disc, Boundary::Extreme, &hull).map_err(|f| format!("{f:?}"))?;
-        }
-        Problem::Hull3 => {
-            let hull = hullkit::convex_hull_3d(&ball).unwrap();
-            check::hull3(&ball, &hull).map_err(|f| format!("{f:?}"))?;
-            let triangles = answer(peer, session, problem, &ball).triangles();
-            cuts_up(&triangles.ok_or("no triangles")?, &hull)?;
-        }
-        Problem::Delaunay => {
-            let triangulation = answer(peer, session, problem, &disc).triangulation();
-            let triangulation = triangulation.ok_or("no triangles")?;
-            check::delaunay(&disc, &triangulation).map_err(|f| format!("{f:?}"))?;
-        }
-        Problem::Layers => return Err("no peer peels".into()),
+    let sets = easy(problem);
+    let twice = Run {
+        samples: NonZeroU32::MIN,
+        inner: NonZeroU32::new(2).unwrap(),
+    };
+    session
+        .load_sets(problem, Convention::Extreme, &sets, LIMIT)
+        .and_then(|()| session.run(twice, LIMIT))
+        .map_err(|fault| format!("{}: {fault}", peer.name))?;
+    for (number, set) in (0..).zip(&sets) {
+        let answer = session.hull_of(number, LIMIT);
+        let answer = answer.map_err(|fault| format!("set {number}: {fault}"))?;
+        judge_one(problem, set, &answer).map_err(|what| format!("set {number}: {what}"))?;
     }
-    Ok(())
+    match session.hull_of(SETS as u32, LIMIT) {
+        Err(fault) if fault.leaves_it_running() => Ok(()),
+        other => Err(format!("a hull of no set: {other:?}")),
+    }
+}
+
+fn judge_one(problem: Problem, set: &PointSet, answer: &Answer) -> Result<(), String> {
+    match (problem, set) {
+        (Problem::Hull2, PointSet::Plane(points)) => {
+            let hull = answer.hull2(Points::new(points).unwrap());
+            let hull = hull.ok_or("no cycle")?;
+            let checked = check::hull2(points, Boundary::Extreme, &hull);
+            checked.map(drop).map_err(|f| format!("{f:?}"))
+        }
+        (Problem::Hull3, PointSet::Space(points)) => {
+            let hull = hullkit::convex_hull_3d(points).unwrap();
+            check::hull3(points, &hull).map_err(|f| format!("{f:?}"))?;
+            cuts_up(&answer.triangles().ok_or("no triangles")?, &hull)
+        }
+        (Problem::Delaunay, PointSet::Plane(points)) => {
+            let triangulation = answer.triangulation().ok_or("no triangles")?;
+            let checked = check::delaunay(points, &triangulation);
+            checked.map(drop).map_err(|f| format!("{f:?}"))
+        }
+        _ => Err("no peer peels".into()),
+    }
 }
 
 #[test]

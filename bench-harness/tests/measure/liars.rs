@@ -82,6 +82,36 @@ fn a_wrong_hull_is_shown_as_wrong_and_never_timed() {
 }
 
 #[test]
+fn whoever_is_right_about_the_first_set_of_a_batch_only_is_wrong() {
+    let bench = Bench::new();
+    let mut measure = bench.measure("stale");
+    let guest = format!("fake={} stale", FAKE.display());
+    measure.args(["--realisations", "1", "--with", &guest]);
+    assert!(measure.status().expect("a run").success());
+    let run = load(&bench.run("stale"));
+    let of_fake = run
+        .cells
+        .iter()
+        .filter(|cell| cell.subject.engine == "fake");
+    for cell in of_fake {
+        // A lattice is the same whatever the seed.
+        let case = &cell.subject.case;
+        let differ = case.n == 50 && case.set == "disc";
+        let due = if differ {
+            Outcome::Wrong
+        } else {
+            Outcome::Certified
+        };
+        assert_eq!(cell.outcome, due, "{}: {}", cell.subject, cell.finding);
+        assert_eq!(cell.finding.contains("3 of 4 sets"), differ);
+    }
+    let small = run.samples.iter().filter(|s| s.subject.case.n == 50);
+    let calls: Vec<u64> = small.map(|sample| sample.inner.get()).collect();
+    assert!(!calls.is_empty());
+    assert!(calls.iter().all(|calls| calls % 4 == 0), "{calls:?}");
+}
+
+#[test]
 fn whoever_boasts_crashes_or_truncates_is_recorded_as_such() {
     assert_eq!(told("boast").0, [Outcome::Garbled; 4]);
     assert_eq!(told("truncate").0, [Outcome::Garbled; 4]);

@@ -15,7 +15,7 @@ struct Bench {
 }
 
 impl Bench {
-    /// One small definition: two sets at two sizes, two methods and a twin.
+    /// One small definition: two sets at two sizes, the smaller in batches of four, two methods and a twin.
     fn new() -> Self {
         let folder = tempfile::tempdir().expect("a folder");
         let text = r#"
@@ -32,6 +32,7 @@ engines = ["gs", "monotone-chain"]
 measure = ["time", "counts"]
 realisations = 2
 rounds = 4
+points_a_batch = 200
 twin = "gs"
 timeout_seconds = 2
 "#;

@@ -37,12 +37,12 @@ pub struct Hull {
 pub trait Engine {
     fn version(&self) -> String;
     fn tasks(&self) -> &'static [&'static str];
-    /// Converts to the engine's own type of points: not timed.
-    fn load(&mut self, points: &Points) -> Result<(), String>;
-    /// The time of `calls` calls in a row; the last result is kept.
-    fn sample(&mut self, calls: u64) -> Result<Duration, String>;
-    /// The last result: not timed.
-    fn hull(&self) -> Result<Hull, String>;
+    /// Converts sets to the engine's own type of points: not timed.
+    fn load(&mut self, sets: &[Points]) -> Result<(), String>;
+    /// The time of `passes` passes over the sets; the last result of each is kept.
+    fn sample(&mut self, passes: u64) -> Result<Duration, String>;
+    /// The last result of set number `set`: not timed.
+    fn hull(&self, set: usize) -> Result<Hull, String>;
 }
 
 /// A function that computes from its input in memory.
@@ -53,15 +53,17 @@ pub struct Call<I, R> {
     pub way: Way<I, R>,
     pub read: fn(&R, &str) -> Hull,
     task: String,
-    input: Option<I>,
-    result: Option<R>,
+    /// The sets, converted.
+    inputs: Vec<I>,
+    /// The last result of each.
+    results: Vec<Option<R>>,
 }
 
 /// How a function takes its input.
 pub enum Way<I, R> {
     /// Reads it.
     Reads(fn(&I) -> Result<R, String>),
-    /// Reorders it or uses it up: every call gets a copy, made while the clock stands.
+    /// Reorders it or uses it up: every call gets a copy; those of a pass are made before it, while the clock stands.
     Consumes(fn(I) -> Result<R, String>),
 }
 
@@ -80,8 +82,8 @@ impl<I: Clone, R> Call<I, R> {
             way,
             read,
             task: String::new(),
-            input: None,
-            result: None,
+            inputs: Vec::new(),
+            results: Vec::new(),
         }
     }
 }
@@ -96,30 +98,38 @@ impl<I: Clone, R> Engine for Call<I, R> {
         self.tasks
     }
 
-    fn load(&mut self, points: &Points) -> Result<(), String> {
-        self.result = None;
-        self.task = points.task.clone();
-        self.input = Some((self.convert)(points));
+    fn load(&mut self, sets: &[Points]) -> Result<(), String> {
+        self.task = sets.first().map(|set| set.task.clone()).unwrap_or_default();
+        self.inputs = sets.iter().map(self.convert).collect();
+        self.results.clear();
         Ok(())
     }
 
-    fn sample(&mut self, calls: u64) -> Result<Duration, String> {
-        let input = self.input.as_ref().ok_or("no points were loaded")?;
-        self.result = None;
+    fn sample(&mut self, passes: u64) -> Result<Duration, String> {
+        if self.inputs.is_empty() {
+            return Err("no points were loaded".into());
+        }
+        self.results.clear();
+        self.results.resize_with(self.inputs.len(), || None);
         let mut total = Duration::ZERO;
         match self.way {
             Way::Reads(function) => {
                 let start = Instant::now();
-                for _ in 0..calls {
-                    self.result = Some(function(input)?);
+                for _ in 0..passes {
+                    for (input, result) in self.inputs.iter().zip(&mut self.results) {
+                        *result = Some(function(input)?);
+                    }
                 }
                 total = start.elapsed();
             }
             Way::Consumes(function) => {
-                for _ in 0..calls {
-                    let copy = input.clone();
+                for _ in 0..passes {
+                    let mut copies = Vec::with_capacity(self.inputs.len());
+                    copies.extend(self.inputs.iter().cloned());
                     let start = Instant::now();
-                    self.result = Some(function(copy)?);
+                    for (copy, result) in copies.drain(..).zip(&mut self.results) {
+                        *result = Some(function(copy)?);
+                    }
                     total += start.elapsed();
                 }
             }
@@ -127,8 +137,9 @@ impl<I: Clone, R> Engine for Call<I, R> {
         Ok(total)
     }
 
-    fn hull(&self) -> Result<Hull, String> {
-        let result = self.result.as_ref().ok_or("nothing was run")?;
+    fn hull(&self, set: usize) -> Result<Hull, String> {
+        let result = self.results.get(set).and_then(Option::as_ref);
+        let result = result.ok_or("nothing was run, or there is no such set")?;
         Ok((self.read)(result, &self.task))
     }
 }
@@ -136,7 +147,7 @@ impl<I: Clone, R> Engine for Call<I, R> {
 /// Answers commands until `quit` or the end of the input.
 pub fn serve(name: &str, engine: &mut dyn Engine) -> io::Result<()> {
     let (mut input, mut output) = (io::stdin().lock(), io::BufWriter::new(io::stdout().lock()));
-    let mut points = None;
+    let mut sets = Vec::new();
     let mut peak = None;
     let mut line = String::new();
     while input.read_line(&mut line)? > 0 {
@@ -145,10 +156,8 @@ pub fn serve(name: &str, engine: &mut dyn Engine) -> io::Result<()> {
         let reply = match word {
             "version" => Ok(receipt(name, engine)),
             "load" => {
-                points = None;
-                let loaded = read_points(rest, &mut input)?;
-                let done = accept(rest, &loaded, engine).and_then(|()| engine.load(&loaded));
-                done.map(|()| json!({ "loaded": points.insert(loaded).n }))
+                sets = read_sets(rest, &mut input)?;
+                load(rest, &sets, engine)
             }
             "run" => {
                 let before = if peak.is_none() { reset_peak() } else { None };
@@ -158,7 +167,7 @@ pub fn serve(name: &str, engine: &mut dyn Engine) -> io::Result<()> {
                 }
                 samples.map(|nanoseconds| json!({ "nanoseconds": nanoseconds }))
             }
-            "hull" => hull(points.as_ref(), engine, &mut arrays),
+            "hull" => hull(rest, &sets, engine, &mut arrays),
             "counters" => Ok(match peak {
                 Some(bytes) => json!({ "counters": { "peak_bytes": bytes } }),
                 None => json!({ "counters": {} }),
@@ -190,8 +199,13 @@ fn receipt(name: &str, engine: &dyn Engine) -> Value {
     })
 }
 
-fn read_points(header: &str, input: &mut impl BufRead) -> io::Result<Points> {
+fn read_sets(header: &str, input: &mut impl BufRead) -> io::Result<Vec<Points>> {
     let header: Value = serde_json::from_str(header)?;
+    let sets = header["sets"].as_u64().unwrap_or(1);
+    (0..sets).map(|_| read_points(&header, input)).collect()
+}
+
+fn read_points(header: &Value, input: &mut impl BufRead) -> io::Result<Points> {
     let number = |name: &str| header[name].as_u64().unwrap_or(0) as usize;
     let (n, dimension) = (number("n"), number("dimension"));
     let mut bytes = vec![0; n * dimension * 8];
@@ -211,14 +225,17 @@ fn read_points(header: &str, input: &mut impl BufRead) -> io::Result<Points> {
     })
 }
 
-fn accept(header: &str, points: &Points, engine: &dyn Engine) -> Result<(), String> {
-    if !engine.tasks().contains(&points.task.as_str()) {
-        return Err(format!("does not do {}", points.task));
+fn load(header: &str, sets: &[Points], engine: &mut dyn Engine) -> Result<Value, String> {
+    engine.load(&[])?;
+    let first = sets.first().ok_or("no sets")?;
+    if !engine.tasks().contains(&first.task.as_str()) {
+        return Err(format!("does not do {}", first.task));
     }
     if header.contains(r#""boundary":"all""#) {
         return Err("finds extreme points only".into());
     }
-    Ok(())
+    engine.load(sets)?;
+    Ok(json!({ "loaded": first.n, "sets": sets.len() }))
 }
 
 fn run(header: &str, engine: &mut dyn Engine) -> Result<Vec<u64>, String> {
@@ -231,14 +248,17 @@ fn run(header: &str, engine: &mut dyn Engine) -> Result<Vec<u64>, String> {
     (0..samples).map(sample).collect()
 }
 
-/// The header of the last result; its arrays go to `arrays`.
+/// The header of the last result of a set; its arrays go to `arrays`.
 fn hull(
-    points: Option<&Points>,
+    header: &str,
+    sets: &[Points],
     engine: &dyn Engine,
     arrays: &mut Vec<u32>,
 ) -> Result<Value, String> {
-    let points = points.ok_or("no points were loaded")?;
-    let hull = engine.hull()?;
+    let header: Value = serde_json::from_str(header).unwrap_or_default();
+    let set = header["set"].as_u64().unwrap_or(0) as usize;
+    let points = sets.get(set).ok_or("there is no such set")?;
+    let hull = engine.hull(set)?;
     arrays.extend(hull.parts.iter().map(|part| part.len() as u32));
     let lengths = arrays.len();
     // Of the copies of a point the smallest index stands for all; the two zeros are alike.
