@@ -106,7 +106,9 @@ impl Row {
             let least = |old: f64, work: &(dyn Fn() + Sync)| {
                 old.min(milliseconds(|| (0..repeats).for_each(|_| work())) / repeats as f64)
             };
-            row.pass = least(row.pass, &|| drop(black_box(bounds(black_box(&points)))));
+            row.pass = least(row.pass, &|| {
+                black_box(bounds(black_box(&points)));
+            });
             row.hull = least(row.hull, &|| drop(black_box(hull(black_box(&points)))));
             let parallel = || drop(black_box(convex_hull_parallel(&points, Boundary::Extreme)));
             row.parallel = row

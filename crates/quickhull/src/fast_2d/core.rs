@@ -43,7 +43,7 @@ impl Core {
     pub(super) fn inside(polygon: &Polygon, corners: &Corners, centre: Point2) -> Option<Self> {
         let around = Self::around(corners.as_slice())?;
         let room = polygon.room(centre, &around.ends()) * (1.0 - f64::EPSILON.sqrt());
-        if !(room > 0.0) {
+        if room.is_nan() || room <= 0.0 {
             return None;
         }
         let along = values(around.s, centre);
@@ -132,6 +132,7 @@ impl Region for Core {
     /// The least of the differences that the comparisons are about. Their signs are exact. The sum of the coordinates
     /// comes first, as it is not finite if one of them is not, and a NaN stays the least.
     #[inline(always)]
+    #[allow(clippy::needless_range_loop)] // three arrays side by side
     fn measure(&self, block: &Block) -> [f64; BLOCK] {
         let Self { s, least, most } = self;
         let mut measures = [0.0; BLOCK];

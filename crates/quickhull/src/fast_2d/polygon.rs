@@ -228,6 +228,7 @@ fn in_groups(edges: impl Iterator<Item = Edge>) -> SmallVec<[[Edge; GROUP]; 2]> 
 impl Region for Polygon {
     /// The least of 2 M - |x| - |y| and the edges' functions; NaN if a coordinate is.
     #[inline(always)]
+    #[allow(clippy::needless_range_loop)] // three arrays side by side
     fn measure(&self, block: &Block) -> [f64; BLOCK] {
         let mut measures = [0.0; BLOCK];
         for i in 0..BLOCK {
