@@ -7,7 +7,9 @@ use crate::output::atomic::{self, Existing};
 use crate::output::target::note;
 use crate::records::Run;
 use crate::report::splice::splice;
-use crate::report::{Material, asked, document, html, matrix, papers, usual_counters};
+use crate::report::{
+    Material, asked, document, html, matrix, papers, usual_baseline, usual_counters,
+};
 use clap::ValueHint;
 use std::collections::BTreeSet;
 use std::fs;
@@ -51,7 +53,7 @@ pub struct Args {
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     splice: Option<PathBuf>,
 
-    /// Compare with this engine [default: the fastest of each case]
+    /// Compare with this engine [default: sort, if it was timed everywhere, or the fastest of each case]
     #[arg(long, value_name = "ENGINE", value_hint = ValueHint::Other)]
     baseline: Option<String>,
 
@@ -90,7 +92,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         asked: &asked::of_run(&args.run)?,
         papers: &found,
         counters: &counters,
-        baseline: args.baseline.as_deref(),
+        baseline: baseline(args, &run),
     };
     let text = html::html(&document(&material)?)?;
     write(&output, &text)?;
@@ -100,6 +102,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         note(&format!("{}: {tables} tables", path.display()));
     }
     Ok(())
+}
+
+fn baseline<'a>(args: &'a Args, run: &Run) -> Option<&'a str> {
+    args.baseline.as_deref().or_else(|| usual_baseline(run))
 }
 
 fn check_names(args: &Args, run: &Run) -> Result<(), Failure> {
@@ -122,7 +128,7 @@ fn check_names(args: &Args, run: &Run) -> Result<(), Failure> {
 fn spliced(path: &Path, run: &Run, args: &Args) -> Result<(String, usize), Failure> {
     let page = fs::read_to_string(path)
         .map_err(|error| Failure::io(path.display(), &error, "check the name"))?;
-    let answered = cmp(run, args.baseline.as_deref());
+    let answered = cmp(run, baseline(args, run));
     let table = |name: &str| {
         let known = run.definitions();
         if !known.contains(&name) {

@@ -90,6 +90,18 @@ pub fn usual_counters(run: &Run) -> Vec<String> {
     others.map(str::to_owned).collect()
 }
 
+/// The engine that the others are compared with if none is named: the sorting yardstick, if every timed case has it.
+pub fn usual_baseline(run: &Run) -> Option<&'static str> {
+    const SORT: &str = "sort";
+    let cases = run.cases().into_iter();
+    let mut timed = cases
+        .map(|case| run.timed(case))
+        .filter(|engines| !engines.is_empty())
+        .peekable();
+    timed.peek()?;
+    timed.all(|engines| engines.contains(&SORT)).then_some(SORT)
+}
+
 /// A command on the run, as it is typed.
 fn command(run: &Run, verb: &str, options: &str) -> String {
     let folder = match run.folder.to_string_lossy() {

@@ -17,8 +17,8 @@ pub(in crate::report) fn time(material: &Material<'_>) -> Result<Option<Section>
     let run = material.run;
     let fits = fit(run, &Quantity::Time, &(0..=usize::MAX));
     let mut parts = vec![Part::text(
-        "Times are the median of a realisation. A vertical line marks the n at which the points fill a cache; across one \
-         no law is declared from time, for there the slope is the machine's.",
+        "Times are the median of a realisation. A vertical line marks the n at which the points fill a cache; across that of L2 \
+         or of a larger one no law is declared from time, for there the slope is the machine's.",
     )];
     let found = growing(run, &fits)?;
     let any = !found.is_empty();
