@@ -12,16 +12,16 @@ use super::protocol::{
     Command, Convention, Counters, HullHeader, Load, Loaded, PROTOCOL, Problem, Receipt, Reply,
     Run, Samples, Which, line,
 };
+use super::threads::{tail, writer};
 use crate::counting::PointSet;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::BTreeMap;
 use std::ffi::OsString;
-use std::io::{Read, Write};
 use std::num::NonZeroU32;
 use std::path::PathBuf;
-use std::process::{Child, ChildStderr, ChildStdin, Stdio};
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::process::{Child, Stdio};
+use std::sync::mpsc::{Receiver, Sender};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -391,37 +391,4 @@ fn excerpt(bytes: &[u8]) -> String {
         String::from_utf8_lossy(shown),
         bytes.len()
     )
-}
-
-/// A thread that writes what it is sent, until the pipe or the sender is gone.
-fn writer(mut pipe: ChildStdin) -> Sender<Vec<u8>> {
-    let (sender, requests) = channel::<Vec<u8>>();
-    thread::spawn(move || {
-        while let Ok(request) = requests.recv() {
-            if pipe
-                .write_all(&request)
-                .and_then(|()| pipe.flush())
-                .is_err()
-            {
-                return;
-            }
-        }
-    });
-    sender
-}
-
-/// A thread that reads to the end of `pipe` and then hands over the last of it.
-fn tail(mut pipe: ChildStderr) -> Receiver<Vec<u8>> {
-    const KEPT: usize = 4096;
-    let (sender, complaints) = channel();
-    thread::spawn(move || {
-        let mut kept = VecDeque::with_capacity(2 * KEPT);
-        let mut chunk = [0; KEPT];
-        while let Ok(count @ 1..) = pipe.read(&mut chunk) {
-            kept.extend(&chunk[..count]);
-            kept.drain(..kept.len().saturating_sub(KEPT));
-        }
-        let _ = sender.send(Vec::from(kept));
-    });
-    complaints
 }

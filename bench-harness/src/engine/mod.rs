@@ -29,4 +29,5 @@ pub mod own;
 pub mod peers;
 pub mod protocol;
 pub mod server;
+mod threads;
 pub mod yardstick;

@@ -1,5 +1,6 @@
 //! Engines behind the pipe protocol: ours, and one that misbehaves in every way we could think of.
 
+mod batches;
 mod fake;
 mod own;
 mod peers;
