@@ -3,7 +3,7 @@
 //! This file parses the command line and dispatches; the work is in the library of the same package.
 
 use bench_harness::commands::{check, delaunay, engine, hull, methods, peel, peers, points, sweep};
-use bench_harness::commands::{cmp, diff, export, fit, plot, rank, report, table};
+use bench_harness::commands::{cmp, diff, export, fit, plot, rank, report, table, targets};
 use bench_harness::failure::Failure;
 use bench_harness::output::target::note;
 use bench_harness::reproduce;
@@ -81,6 +81,8 @@ enum Command {
     Fit(fit::Args),
     /// Times and counts of a recorded run in the layout of a paper
     Table(table::Args),
+    /// Whether the fast methods take no longer than they are meant to
+    Targets(targets::Args),
     /// Growth and ratios of a recorded run as drawings
     Plot(plot::Args),
     /// A recorded run as one HTML file, and its tables in a Markdown file
@@ -112,6 +114,7 @@ fn main() -> ExitCode {
         Command::Diff(args) => diff::run(&args),
         Command::Fit(args) => fit::run(&args),
         Command::Table(args) => table::run(&args),
+        Command::Targets(args) => targets::run(&args),
         Command::Plot(args) => plot::run(&args),
         Command::Report(args) => report::run(&args),
         Command::Export(args) => export::run(&args),

@@ -8,6 +8,7 @@
 //! | [`fit`] | by which law does a cost grow |
 //! | [`table`] | times and counts in the layout of a paper |
 //! | [`plot`] | growth and ratios as drawings |
+//! | [`targets`] | do the fast methods take no longer than they are meant to |
 //! | [`export`] | the times in formats that other tools read |
 //! | [`band`] | how much does a program differ from itself |
 //! | [`compare`] | two engines on one case, round by round |
@@ -24,6 +25,7 @@ pub mod fit;
 pub mod plot;
 pub mod rank;
 pub mod table;
+pub mod targets;
 
 use crate::output::sheet::duration;
 use crate::records::{Case, Run, Spread};

@@ -21,6 +21,7 @@
 //! | [`table`] | a run in the layout of a paper |
 //! | [`plot`] | a run as drawings |
 //! | [`report`] | a run as one HTML file |
+//! | [`targets`] | whether the fast methods take no longer than they are meant to |
 //! | [`export`] | a run for other tools |
 //!
 //! [`input`] says where points come from, [`select`] which method runs, [`claim`] reads the hulls of others, [`recorded`]
@@ -47,3 +48,4 @@ pub mod report;
 pub mod select;
 pub mod sweep;
 pub mod table;
+pub mod targets;

@@ -32,8 +32,9 @@ mod warnings;
 use crate::definition::Definition;
 use crate::failure::Failure;
 use crate::output::target::to_stdout;
-use crate::progress::Progress;
-use crate::records::Outcome;
+use crate::progress::{Progress, say};
+use crate::records::{Outcome, Run};
+use crate::{analysis, commands};
 use anyhow::Result;
 use ledger::Ledger;
 use roster::{Guest, Roster};
@@ -123,6 +124,7 @@ fn run(args: &Args, depth: Depth) -> Result<()> {
         at_most: args.at_most,
         realisations: args.realisations,
     };
+    definitions.iter().for_each(introduce);
     let stops = plan::stops(&definitions, &selection);
     let folder = args
         .run
@@ -144,6 +146,18 @@ fn run(args: &Args, depth: Depth) -> Result<()> {
     drop(progress);
     ledger.close()?;
     summary(&ledger)
+}
+
+/// Says what a definition asks, and who is left out.
+fn introduce(definition: &Definition) {
+    say(&format!(
+        "{}: {}",
+        definition.id,
+        definition.question.trim()
+    ));
+    for (engine, reason) in &definition.left_out {
+        say(&format!("{}: without {engine}: {reason}", definition.id));
+    }
 }
 
 /// What became of the cells, by outcome.
@@ -169,6 +183,16 @@ fn summary(ledger: &Ledger) -> Result<()> {
         }
         writeln!(out, "{}", ledger.folder().display())
     })?;
+    targets(ledger)
+}
+
+/// What the fast methods were meant to take, if this run is about that.
+fn targets(ledger: &Ledger) -> Result<()> {
+    let run = Run::load(ledger.folder())?;
+    let found = analysis::targets::targets(&run, &commands::targets::all()?);
+    if !found.rows.is_empty() && !run.samples.is_empty() {
+        to_stdout(|out| write!(out, "\n{}", found.page().markdown()))?;
+    }
     Ok(())
 }
 
