@@ -27,7 +27,7 @@ pub mod quickhull_3d;
 
 pub use balan_quickhull::balan_quickhull;
 pub use eddy::eddy;
-pub use fast_3d::fast_3d;
+pub use fast_3d::{fast_3d, fast_3d_parallel};
 pub use quickhull_3d::quickhull_3d;
 
 /// The methods of this family.
