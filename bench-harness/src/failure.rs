@@ -9,7 +9,7 @@ use std::process::ExitCode;
 /// What stopped a command. Each kind has its own exit code; each message says what is wrong and what to do.
 #[derive(Debug)]
 pub enum Failure {
-    /// Exit code 1: a result could not be certified, or a claim does not hold.
+    /// Exit code 1: a result could not be certified, a claim does not hold, or a run got worse.
     Verification(String),
     /// Exit code 2: the command line asks for something that does not exist.
     Usage(String),

@@ -2,10 +2,12 @@
 //!
 //! This file parses the command line and dispatches; the work is in the library of the same package.
 
-use bench_harness::commands::{check, delaunay, hull, methods, peel, points, sweep};
+use bench_harness::commands::{check, delaunay, engine, hull, methods, peel, peers, points, sweep};
+use bench_harness::commands::{cmp, diff, export, fit, plot, rank, report, table};
 use bench_harness::failure::Failure;
 use bench_harness::output::target::note;
 use bench_harness::reproduce;
+use bench_harness::{gate, measure};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -20,7 +22,7 @@ Examples:
 
 Exit codes:
   0  done
-  1  a result could not be certified, or a claim does not hold
+  1  a result could not be certified, a claim does not hold, or a run got worse
   2  usage: an unknown option, method or point set
   3  bad input data
   4  a file could not be read or written";
@@ -57,6 +59,34 @@ enum Command {
     Points(points::Args),
     /// The registered methods: publication, cost, departures
     Methods(methods::Args),
+    /// Engines verified, counted and timed in turn, as definitions say
+    Measure(measure::Args),
+    /// Engines verified, as definitions say
+    Verify(measure::Args),
+    /// Whether the exact counts of a fixed small suite are those that are expected
+    Gate(gate::Args),
+    /// Writes the counts of that suite as the expected ones
+    Bless(gate::Args),
+    /// One of our methods, answering the pipe protocol of the harness
+    Engine(engine::Args),
+    /// Outside programs to compare with: built, and asked who they are
+    Peers(peers::Args),
+    /// The engines of a recorded run side by side, case by case
+    Cmp(cmp::Args),
+    /// The engines of a recorded run over all cases
+    Rank(rank::Args),
+    /// What has changed between two recorded runs; exit code 1 if something got worse
+    Diff(diff::Args),
+    /// By which law a cost grows, if the records can tell
+    Fit(fit::Args),
+    /// Times and counts of a recorded run in the layout of a paper
+    Table(table::Args),
+    /// Growth and ratios of a recorded run as drawings
+    Plot(plot::Args),
+    /// A recorded run as one HTML file, and its tables in a Markdown file
+    Report(report::Args),
+    /// The times of a recorded run in formats that other tools read
+    Export(export::Args),
     /// The published tables, figures and claims, regenerated and judged
     #[command(after_help = REPRODUCE)]
     Reproduce(reproduce::Args),
@@ -71,6 +101,20 @@ fn main() -> ExitCode {
         Command::Check(args) => check::run(&args),
         Command::Points(args) => points::run(&args),
         Command::Methods(args) => methods::run(&args),
+        Command::Measure(args) => measure::measure(&args).map_err(Failure::from),
+        Command::Verify(args) => measure::verify(&args).map_err(Failure::from),
+        Command::Gate(args) => gate::gate(&args).map_err(Failure::from),
+        Command::Bless(args) => gate::bless(&args).map_err(Failure::from),
+        Command::Engine(args) => engine::run(&args),
+        Command::Peers(args) => peers::run(&args),
+        Command::Cmp(args) => cmp::run(&args),
+        Command::Rank(args) => rank::run(&args),
+        Command::Diff(args) => diff::run(&args),
+        Command::Fit(args) => fit::run(&args),
+        Command::Table(args) => table::run(&args),
+        Command::Plot(args) => plot::run(&args),
+        Command::Report(args) => report::run(&args),
+        Command::Export(args) => export::run(&args),
         Command::Reproduce(args) => reproduce::run(&args).map_err(Failure::from),
     };
     match done {

@@ -1,5 +1,6 @@
 //! `hullbench check`: whether a hull made by anyone is the hull of the points.
 
+use crate::claimed;
 use crate::commands::claim;
 use crate::commands::input::{DimensionArg, Input, TableArgs};
 use crate::commands::select::BoundaryArg;
@@ -8,10 +9,7 @@ use crate::output::hull::Account;
 use crate::output::hull3::Account3;
 use crate::output::target::to_stdout;
 use crate::output::text;
-use geometry_core::mesh::{TriMesh, TriangleId};
-use geometry_core::{Exact, Hull3};
-use hull_verify::check::{self, Certificate3, Finding3};
-use std::collections::HashMap;
+use hull_verify::check;
 use std::fmt::Display;
 use std::path::PathBuf;
 
@@ -86,7 +84,7 @@ fn in_space(args: &Args) -> Result<(), Failure> {
         Err(findings) => return refuse(args, &findings),
     };
     let given = hull.facets().count();
-    match certified(&input, &hull) {
+    match claimed::certify3(input.view(), &hull) {
         Ok(certificate) => {
             let merged = (given != certificate.facets).then(|| {
                 format!(
@@ -99,38 +97,6 @@ fn in_space(args: &Args) -> Result<(), Failure> {
         }
         Err(findings) => refuse(args, &findings),
     }
-}
-
-/// The certificate of `hull`; if nothing is wrong with it but that facets are cut into coplanar pieces, that of the
-/// whole facets.
-fn certified(input: &Input<3>, hull: &Hull3) -> Result<Certificate3, Vec<Finding3>> {
-    let findings = match check::hull3(&input.points, hull) {
-        Ok(certificate) => return Ok(certificate),
-        Err(findings) => findings,
-    };
-    let is_cut = |finding: &Finding3| matches!(finding, Finding3::CoplanarFacets { .. });
-    if !findings.iter().all(is_cut) {
-        return Err(findings);
-    }
-    // The checker went through the topology before it came to coplanar facets: the surface is closed.
-    let whole = Hull3::from_mesh(input.view(), &triangulated(hull), &Exact);
-    check::hull3(&input.points, &whole)
-}
-
-/// The closed surface of `hull`, cut into triangles.
-fn triangulated(hull: &Hull3) -> TriMesh {
-    let mut mesh = TriMesh::new();
-    let mut sides = HashMap::new();
-    let triangles: Vec<TriangleId> = hull.triangles().map(|corners| mesh.add(corners)).collect();
-    for side in triangles.into_iter().flat_map(TriangleId::sides) {
-        sides.insert((mesh.origin(side), mesh.target(side)), side);
-    }
-    for (&(from, to), &side) in &sides {
-        if let Some(&twin) = sides.get(&(to, from)) {
-            mesh.link(side, twin);
-        }
-    }
-    mesh
 }
 
 fn show<const D: usize>(

@@ -5,13 +5,10 @@
 //! are matched to the input by their exact coordinates; a copy of a point stands for the copy with the smallest index.
 //! A JSON file of this program is either.
 
+use crate::claimed::{self, key, smallest_copies};
 use crate::commands::input::Input;
 use crate::failure::Failure;
-use geometry_core::hull2::sort_distinct;
-use geometry_core::hull3::Solid;
-use geometry_core::kernel::lexicographic;
-use geometry_core::kernel::space::lexicographic3;
-use geometry_core::{Exact, Hull2, Hull3, Kernel2, Point2};
+use geometry_core::{Hull2, Hull3};
 use point_sets::mesh_file::{PolygonMesh, read_mesh};
 use serde::Deserialize;
 use std::collections::HashMap;
@@ -48,26 +45,15 @@ pub fn in_plane(path: &Path, input: &Input) -> Result<Hull2, Failure> {
     Ok(as_hull2(input, ids))
 }
 
-/// The value that the cycle `ids` stands for. Ids that name no point are left for the checker to find.
+/// The value that the cycle `ids` stands for, each id the smallest of its copies.
 fn as_hull2(input: &Input, mut ids: Vec<u32>) -> Hull2 {
-    if ids.iter().any(|&id| id as usize >= input.points.len()) {
-        return Hull2::Polygon(ids);
-    }
     let smallest = smallest_copies(&input.points);
     for id in &mut ids {
-        *id = smallest[&key(input.points[*id as usize])];
+        if let Some(point) = input.points.get(*id as usize) {
+            *id = smallest[&key(*point)];
+        }
     }
-    let points = input.view();
-    let at = |id: &u32| points[*id];
-    let is_flat = |c: &u32| -> bool {
-        let [a, b]: [Point2; 2] = [&ids[0], &ids[1]].map(at);
-        Exact.orient(a, b, at(c)).is_zero() && lexicographic(a, b).is_ne()
-    };
-    if ids.len() > 2 && ids.iter().all(is_flat) {
-        sort_distinct(points, &mut ids, &Exact);
-        return Hull2::Segment(ids);
-    }
-    Hull2::from_cycle(points, ids)
+    claimed::planar(input.view(), ids)
 }
 
 /// The hull of points of space that the file `path` claims; `Err` inside with what is wrong with it before any
@@ -103,50 +89,13 @@ pub fn in_space(path: &Path, input: &Input<3>) -> Result<Result<Hull3, Vec<Strin
 
 /// The value that a mesh stands for whose points are the points `ids`.
 fn as_hull3(input: &Input<3>, mesh: &PolygonMesh, ids: &[u32]) -> Hull3 {
-    let points = input.view();
-    let by_place = |a: &u32, b: &u32| lexicographic3(points[*a], points[*b]);
     let polygon =
         |corners: &Vec<u32>| -> Vec<u32> { corners.iter().map(|&c| ids[c as usize]).collect() };
-    match (&mesh.polygons[..], ids) {
-        ([], []) => Hull3::Empty,
-        ([], [id]) => Hull3::Point(*id),
-        ([], _) => {
-            let ends = [
-                ids.iter().copied().min_by(by_place),
-                ids.iter().copied().max_by(by_place),
-            ];
-            let [Some(first), Some(last)] = ends else {
-                return Hull3::Empty;
-            };
-            Hull3::Segment([first, last])
-        }
-        ([only], _) => {
-            let mut corners = polygon(only);
-            let first = (0..corners.len()).min_by(|&i, &j| by_place(&corners[i], &corners[j]));
-            corners.rotate_left(first.unwrap_or(0));
-            if let [_, second, .., last] = &corners[..]
-                && by_place(last, second).is_lt()
-            {
-                corners[1..].reverse();
-            }
-            Hull3::Planar(corners)
-        }
-        (polygons, _) => Hull3::Solid(Solid::from_loops(polygons.iter().map(polygon).collect())),
-    }
-}
-
-/// Coordinates as bits, the two zeros alike.
-fn key<const D: usize>(point: [f64; D]) -> [u64; D] {
-    point.map(|coordinate| (coordinate + 0.0).to_bits())
-}
-
-/// The smallest index of the copies of each point.
-fn smallest_copies<const D: usize>(points: &[[f64; D]]) -> HashMap<[u64; D], u32> {
-    let mut smallest = HashMap::with_capacity(points.len());
-    for (id, point) in (0..).zip(points) {
-        smallest.entry(key(*point)).or_insert(id);
-    }
-    smallest
+    claimed::spatial(
+        input.view(),
+        ids,
+        mesh.polygons.iter().map(polygon).collect(),
+    )
 }
 
 fn extension(path: &Path) -> String {

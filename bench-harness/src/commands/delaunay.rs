@@ -35,7 +35,7 @@ pub struct Args {
     input: InputArgs,
 
     /// The method that triangulates, by its slug (see `hullbench methods`)
-    #[arg(long, help_heading = "Method", value_name = "SLUG", default_value = "lifted-delaunay", value_hint = ValueHint::Other)]
+    #[arg(long, help_heading = "Method", value_name = "SLUG", default_value = select::default::DELAUNAY, value_hint = ValueHint::Other)]
     method: String,
 
     #[command(flatten)]

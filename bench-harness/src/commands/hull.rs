@@ -1,7 +1,7 @@
 //! `hullbench hull`: the convex hull of points.
 
 use crate::commands::input::{DimensionArg, InputArgs};
-use crate::commands::select::{self, BoundaryArg};
+use crate::commands::select::{self, BoundaryArg, default};
 use crate::failure::Failure;
 use crate::output::hull::HullReport;
 use crate::output::hull3::HullReport3;
@@ -40,7 +40,7 @@ pub struct Args {
     #[arg(long, help_heading = "Points", value_enum, value_name = "2|3")]
     dimension: Option<DimensionArg>,
 
-    /// The method that finds the hull, by its slug (see `hullbench methods`) [default: gs; quickhull-3d in space]
+    /// The method that finds the hull, by its slug (see `hullbench methods`) [default: fast-2d; hull-3d in space]
     #[arg(long, help_heading = "Method", value_name = "SLUG", value_hint = ValueHint::Other)]
     method: Option<String>,
 
@@ -66,7 +66,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 
 fn in_plane(args: &Args) -> Result<(), Failure> {
     let delivery = args.output.delivery(HullReport::FORMATS)?;
-    let (method, task) = select::hull(args.method.as_deref().unwrap_or("gs"))?;
+    let (method, task) = select::hull(args.method.as_deref().unwrap_or(default::HULL))?;
     let boundary = args.boundary.unwrap_or(BoundaryArg::Extreme).into();
     let input = args.input.load2()?;
 
@@ -80,10 +80,7 @@ fn in_plane(args: &Args) -> Result<(), Failure> {
 
 fn in_space(args: &Args) -> Result<(), Failure> {
     let delivery = args.output.delivery(HullReport3::FORMATS)?;
-    let (method, task) = match &args.method {
-        Some(slug) => select::hull3(slug)?,
-        None => select::hull3_by_default()?,
-    };
+    let (method, task) = select::hull3(args.method.as_deref().unwrap_or(default::HULL3))?;
     if args.boundary == Some(BoundaryArg::All) {
         return Err(Failure::Usage(
             "--boundary all is for points of the plane; in space only extreme points are vertices"

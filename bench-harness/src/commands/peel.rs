@@ -35,7 +35,7 @@ pub struct Args {
     input: InputArgs,
 
     /// The method that finds the layers, by its slug (see `hullbench methods`)
-    #[arg(long, help_heading = "Method", value_name = "SLUG", default_value = "gs-peel", value_hint = ValueHint::Other)]
+    #[arg(long, help_heading = "Method", value_name = "SLUG", default_value = select::default::LAYERS, value_hint = ValueHint::Other)]
     method: String,
 
     /// Which boundary points a layer removes

@@ -6,6 +6,18 @@ use geometry_core::method::{Delaunay, PlanarHull, PlanarLayers, SpatialHull};
 use hullkit::{Boundary, Method, Task};
 use std::fmt::Display;
 
+/// The methods that are taken where none is named: those of the front door.
+pub mod default {
+    /// For hulls in the plane.
+    pub const HULL: &str = "fast-2d";
+    /// For hulls in space.
+    pub const HULL3: &str = "hull-3d";
+    /// For layers.
+    pub const LAYERS: &str = "fast-layers";
+    /// For triangulations.
+    pub const DELAUNAY: &str = "fast-delaunay";
+}
+
 /// Which boundary points count as vertices, on the command line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum BoundaryArg {
@@ -61,16 +73,6 @@ pub fn hull3(slug: &str) -> Result<(&'static Method, SpatialHull), Failure> {
         return Ok((method, task));
     }
     Err(unfit(slug, "hull-3d", found))
-}
-
-/// The method for hulls in space that is taken where none is named: the first of these that there is.
-///
-/// # Errors
-///
-/// As [`hull`].
-pub fn hull3_by_default() -> Result<(&'static Method, SpatialHull), Failure> {
-    let [fast, simple] = ["quickhull-3d", "pivot-wrap"];
-    hull3(fast).or_else(|_| hull3(simple))
 }
 
 /// The method for triangulations registered as `slug`, and how to run it.

@@ -66,7 +66,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let bad_data = |error: hullkit::HullError| Failure::Data(format!("{}: {error}", part.source));
 
     let sweep = swept_volume(&part.points, args.by).map_err(bad_data)?;
-    let (method, _) = select::hull3_by_default()?;
+    let (method, _) = select::hull3(select::default::HULL3)?;
     let certificate = hull_verify::check::hull3(sweep.points(), sweep.hull())
         .map_err(|findings| select::not_certified(method, &findings))?;
     let located = args

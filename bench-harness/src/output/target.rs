@@ -44,6 +44,12 @@ pub enum Format {
     Stl,
     /// A drawing
     Svg,
+    /// Tables that read well as text too
+    #[value(name = "md")]
+    Markdown,
+    /// Tables for the package booktabs
+    #[value(name = "tex")]
+    Latex,
 }
 
 /// What the user wants to have.
@@ -182,6 +188,8 @@ impl Format {
             Format::PlyText => "ply-text",
             Format::Stl => "stl",
             Format::Svg => "svg",
+            Format::Markdown => "md",
+            Format::Latex => "tex",
         }
     }
 

@@ -5,31 +5,28 @@
 //! | `paper` | what a paper is to the harness |
 //! | one folder a paper | its definition, experiments, records, verdicts and report |
 //! | `data` | definitions, published figures and claims, from `data/` |
-//! | `stats`, `theory` | statistics; expected numbers of vertices |
+//! | `theory` | expected numbers of vertices |
 //! | `space` | what papers on hulls in space share: sets, certificates, counts, rows |
 //! | `timing` | samples of time, interleaved and warm |
 //! | `verdict`, `prediction` | outcomes and how parts make a whole; what we expected |
 //! | `render` | the pieces of a report: sheets, plots, claims, the folder |
-//! | `provenance`, `progress`, `parallel` | where a report comes from; how far it is; two sets at a time |
 
 mod balan;
 mod data;
+mod day;
 mod green_silverman;
 mod nathan;
 mod paper;
-mod parallel;
 mod prediction;
-mod progress;
-mod provenance;
-mod render;
+pub(crate) mod render;
 mod space;
-mod stats;
 mod theory;
 mod timing;
 mod verdict;
 
 use crate::failure::Failure;
 use crate::output::target::to_stdout;
+use crate::{parallel, progress, provenance};
 use anyhow::Result;
 use paper::{Judged, Paper, Request};
 use provenance::Provenance;
@@ -40,6 +37,7 @@ use std::time::Instant;
 /// Every paper, in the order of the report.
 const PAPERS: &[Paper] = &[
     green_silverman::GREEN_SILVERMAN,
+    day::DAY,
     nathan::NATHAN,
     balan::BALAN_MUNJAL_RAO,
 ];

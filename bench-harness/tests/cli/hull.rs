@@ -8,7 +8,7 @@ fn hull_shows_a_summary() {
     let shop = Workshop::new(&[("square.csv", SQUARE)]);
     let summary = shop.run("hull square.csv").stdout();
     assert_eq!(value(&summary, "points"), "7, of which 6 distinct");
-    assert!(value(&summary, "method").starts_with("gs, "));
+    assert!(value(&summary, "method").starts_with("fast-2d, "));
     assert_eq!(value(&summary, "dimension"), "2");
     assert_eq!(value(&summary, "vertices"), "4");
     assert_eq!(value(&summary, "area"), "4.0");

@@ -97,6 +97,10 @@ fn every_help_shows_an_example_and_the_exit_codes() {
         "check ",
         "points ",
         "methods ",
+        "engine ",
+        "peers ",
+        "peers build ",
+        "peers list ",
         "reproduce ",
     ] {
         let help = shop.run(&format!("{command}--help")).stdout();

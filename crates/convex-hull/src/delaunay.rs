@@ -1,9 +1,9 @@
 //! Delaunay triangulations: where lifting meets the hull methods.
 
 use geometry_core::{Exact, HullError, Lifted, Method, Points, Silent, Tally, Task, Triangulation};
-use lifted_delaunay::delaunay_with;
+use lifted_delaunay::{delaunay_with, fast_delaunay};
 
-/// The methods that triangulate.
+/// The methods that triangulate through a spatial hull.
 pub(crate) const METHODS: &[Method] = &[Method {
     slug: "lifted-delaunay",
     title: "Delaunay triangulation as a lower hull",
@@ -12,7 +12,7 @@ pub(crate) const METHODS: &[Method] = &[Method {
                Geometry 1, 25-44, 1986",
     departures: lifted_delaunay::DEPARTURES,
     cost: "O(n log n), that of preparata-hong-3d for n extreme points",
-    task: Task::Delaunay(geometry_core::method::Delaunay { exact: triangulate }),
+    task: Task::Delaunay(geometry_core::method::Delaunay { exact: lifted }),
 }];
 
 /// The Delaunay triangulation of `points`.
@@ -27,9 +27,7 @@ pub(crate) const METHODS: &[Method] = &[Method {
 ///
 /// # Cost
 ///
-/// That of `preparata-hong-3d`, O(n log n): of the hull methods here it asks the fewest in-circle questions when all
-/// points are extreme, about 39 a point at ten thousand points, where `incremental-conflict` asks 157 and the
-/// quickhulls need comparisons of heights besides, which have no fast filter on the paraboloid.
+/// That of method `fast-delaunay`, O(n log n).
 ///
 /// ```
 /// let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [1.0, 3.0], [0.0, 0.0]];
@@ -38,11 +36,13 @@ pub(crate) const METHODS: &[Method] = &[Method {
 /// # Ok::<(), hullkit::HullError>(())
 /// ```
 pub fn delaunay(points: &[[f64; 2]]) -> Result<Triangulation, HullError> {
-    triangulate(Points::new(points)?)
+    fast_delaunay(Points::new(points)?)
 }
 
-/// By the method that measured fastest; see [`delaunay`].
-fn triangulate(points: Points<'_, 2>) -> Result<Triangulation, HullError> {
+/// By the spatial method that measured fastest: of the hull methods here `preparata-hong-3d` asks the fewest in-circle
+/// questions when all points are extreme, about 39 a point at ten thousand points, where `incremental-conflict` asks 157
+/// and the quickhulls need comparisons of heights besides, which have no fast filter on the paraboloid.
+fn lifted(points: Points<'_, 2>) -> Result<Triangulation, HullError> {
     delaunay_with(points, &Lifted(Exact), |lifted, kernel| {
         divide_and_conquer::preparata_hong_3d(lifted, kernel, &mut Silent)
     })

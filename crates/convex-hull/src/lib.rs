@@ -18,6 +18,7 @@
 //! ```
 
 mod delaunay;
+mod space;
 pub mod sweep;
 
 pub use delaunay::{delaunay, delaunay_by};
@@ -31,13 +32,15 @@ use geometry_core::{Exact, Silent};
 
 /// Every registered method, family by family.
 pub fn methods() -> impl Iterator<Item = &'static Method> {
-    let families: [&'static [Method]; 6] = [
+    let families: [&'static [Method]; 8] = [
         planar_peeling::METHODS,
         quickhull::METHODS,
         gift_wrap::METHODS,
         incremental::METHODS,
         divide_and_conquer::METHODS,
+        lifted_delaunay::METHODS,
         delaunay::METHODS,
+        space::METHODS,
     ];
     families.into_iter().flatten()
 }
@@ -57,7 +60,8 @@ pub fn method(slug: &str) -> Option<&'static Method> {
 ///
 /// # Cost
 ///
-/// That of method `gs`: linear on average for the usual distributions, O(n h) at worst; n indices twice.
+/// That of method `fast-2d`: linear on average for the usual distributions, O(n log n) at worst; 28 bytes for each point
+/// that is not obviously inside.
 pub fn convex_hull_2d(points: &[[f64; 2]]) -> Result<Hull2, HullError> {
     convex_hull_2d_with(points, Boundary::Extreme)
 }
@@ -68,8 +72,32 @@ pub fn convex_hull_2d(points: &[[f64; 2]]) -> Result<Hull2, HullError> {
 ///
 /// As [`convex_hull_2d`].
 pub fn convex_hull_2d_with(points: &[[f64; 2]], boundary: Boundary) -> Result<Hull2, HullError> {
-    let points = Points::new(points)?;
-    planar_peeling::gs::gs(points, boundary, &Exact, &mut Silent)
+    quickhull::convex_hull(points, boundary)
+}
+
+/// [`convex_hull_2d_with`] on several processors, as many as the current rayon thread pool has. The same result.
+///
+/// # Errors
+///
+/// As [`convex_hull_2d`].
+///
+/// # Cost
+///
+/// The work of [`convex_hull_2d`], most of it shared if few points are extreme. Below some 10⁵ points there is nothing
+/// to gain.
+///
+/// ```
+/// use hullkit::Boundary;
+/// let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [2.0, 2.0], [0.0, 2.0]];
+/// let hull = hullkit::convex_hull_2d_parallel(&points, Boundary::Extreme)?;
+/// assert_eq!(hull, hullkit::convex_hull_2d(&points)?);
+/// # Ok::<(), hullkit::HullError>(())
+/// ```
+pub fn convex_hull_2d_parallel(
+    points: &[[f64; 2]],
+    boundary: Boundary,
+) -> Result<Hull2, HullError> {
+    quickhull::convex_hull_parallel(points, boundary)
 }
 
 /// The convex layers of `points`, outermost first.
@@ -80,10 +108,10 @@ pub fn convex_hull_2d_with(points: &[[f64; 2]], boundary: Boundary) -> Result<Hu
 ///
 /// # Cost
 ///
-/// One hull a layer: about 0.4 n L for L layers of random points.
+/// That of method `fast-layers`: O(n log n), whatever the points.
 pub fn convex_layers(points: &[[f64; 2]], boundary: Boundary) -> Result<Layers, HullError> {
     let points = Points::new(points)?;
-    planar_peeling::peel::gs_peel(points, boundary, &Exact, &mut Silent)
+    planar_peeling::fast_layers::fast_layers(points, boundary, &Exact, &mut Silent)
 }
 
 /// The convex hull of `points` of space: its true facets, each anticlockwise seen from outside.
@@ -96,7 +124,7 @@ pub fn convex_layers(points: &[[f64; 2]], boundary: Boundary) -> Result<Layers, 
 ///
 /// # Cost
 ///
-/// That of method `quickhull-3d`.
+/// That of method `hull-3d`: linear on average where few points are extreme, O(n log n) expected where all are.
 ///
 /// ```
 /// let cube: Vec<[f64; 3]> = (0..8).map(|i| [i & 1, i >> 1 & 1, i >> 2].map(f64::from)).collect();
@@ -105,5 +133,5 @@ pub fn convex_layers(points: &[[f64; 2]], boundary: Boundary) -> Result<Layers, 
 /// # Ok::<(), hullkit::HullError>(())
 /// ```
 pub fn convex_hull_3d(points: &[[f64; 3]]) -> Result<Hull3, HullError> {
-    quickhull::quickhull_3d(Points::new(points)?, &Exact, &mut Silent)
+    space::hull_3d(Points::new(points)?, &Exact, &mut Silent)
 }

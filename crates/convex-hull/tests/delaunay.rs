@@ -1,6 +1,6 @@
 //! The Delaunay triangulation by every spatial method: always the same, always Delaunay.
 
-use geometry_core::{Exact, Kernel3, Lifted, Method, Point2, Task, Triangulation};
+use geometry_core::{Exact, Kernel3, Lifted, Method, Point2, Points, Task, Triangulation};
 use hull_verify::families::random;
 use point_sets::Spec;
 use std::collections::HashMap;
@@ -19,6 +19,14 @@ fn certified(points: &[Point2]) -> Triangulation {
 
 fn assert_same_by_all(points: &[Point2]) {
     let triangulation = certified(points);
+    let methods = hullkit::methods().filter_map(|method| match method.task {
+        Task::Delaunay(task) => Some((method.slug, task.exact)),
+        _ => None,
+    });
+    for (slug, triangulate) in methods {
+        let view = Points::new(points).expect("finite points");
+        assert_eq!(triangulate(view).as_ref(), Ok(&triangulation), "{slug}");
+    }
     for method in spatial_methods() {
         let other = hullkit::delaunay_by(method, points).expect("a spatial method");
         assert_eq!(other.as_ref(), Ok(&triangulation), "{}", method.slug);
@@ -38,7 +46,10 @@ fn moved(points: &[Point2], offset: f64) -> Vec<Point2> {
 
 #[test]
 fn conformance() {
-    hull_verify::conformance::delaunay(hullkit::method("lifted-delaunay").expect("registered"));
+    let triangulates = |method: &&Method| matches!(method.task, Task::Delaunay(_));
+    for method in hullkit::methods().filter(triangulates) {
+        hull_verify::conformance::delaunay(method);
+    }
 }
 
 #[test]

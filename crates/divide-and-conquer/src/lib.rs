@@ -8,8 +8,9 @@
 //! | `preparata-hong-balan` | [`preparata_hong_balan`], each search sorting | O(n² log n) |
 //! | `preparata-hong-parallel` | [`preparata_hong_parallel`], on several processors | O(n log n) work |
 //!
-//! For studies of the merge in space: [`merges`](preparata_hong_3d::merges) tells what happened in each, and
-//! [`cotangent`](preparata_hong_3d::cotangent) repeats it with Day's rounded angles in any number format.
+//! For studies of the merge in space: [`merges`](preparata_hong_3d::merges) tells what happened in each,
+//! [`listings`](preparata_hong_3d::listings) lists the facets by Day's spiral and plainly, and
+//! [`cotangent`](preparata_hong_3d::cotangent) repeats the merge with Day's rounded angles in any number format.
 //!
 //! ```
 //! use geometry_core::{Boundary, Exact, Points, Silent};

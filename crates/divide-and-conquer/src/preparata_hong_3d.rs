@@ -62,6 +62,7 @@ use surface::{Fault, Policy, Scan, Surface};
 pub mod cotangent;
 mod edges;
 mod faces;
+mod listing;
 mod parallel;
 mod questions;
 mod seam;
@@ -69,6 +70,7 @@ mod shadow;
 mod surface;
 mod wrap;
 
+pub use listing::{Listings, listings};
 pub use parallel::{PARALLEL_DEPARTURES, preparata_hong_parallel};
 pub use surface::MergeRecord;
 

@@ -17,6 +17,7 @@
 //! K. Ozaki, F. Bünger, T. Ogita, S. Oishi, S. M. Rump, *Simple floating-point filters for the
 //! two-dimensional orientation problem*, BIT 56 (2016).
 
+mod boxed;
 mod circle;
 mod expansion;
 mod integer;
@@ -24,7 +25,9 @@ mod planar;
 pub(crate) mod scaled;
 mod spatial;
 
-use crate::kernel::space::{Axis, Kernel3};
+pub use boxed::{Boxed, Unit};
+
+use crate::kernel::space::{Axis, Basis, Kernel3};
 use crate::kernel::{InCircle, Kernel2, Stage};
 use crate::points::{Point2, Point3};
 use crate::sign::Sign;
@@ -70,6 +73,10 @@ impl InCircle for Exact {
 }
 
 impl Kernel3 for Exact {
+    fn basis(&self) -> Basis {
+        Basis::Coordinates
+    }
+
     #[inline(always)]
     fn orient3_staged(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage) {
         spatial::volume(a, b, c, a, d)

@@ -1,12 +1,13 @@
 //! The convex hull of a point set in space, as a canonical value.
 
+mod canonical;
 mod facets;
 mod measure;
 
 pub use measure::Location;
 
 use crate::kernel::space::{Kernel3, lexicographic3};
-use crate::mesh::TriMesh;
+use crate::mesh::{TriMesh, TriangleId};
 use crate::points::Points;
 use facets::Loops;
 
@@ -50,22 +51,54 @@ impl Hull3 {
     ///
     /// # Cost
     ///
-    /// O(f) orientations and O(f log f) time for f triangles; O(k log k) more for a facet of k triangles.
+    /// One orientation an edge and O(f) time for f triangles; O(k log k) more for a facet of k triangles.
     pub fn from_mesh<K: Kernel3>(points: Points<'_, 3>, mesh: &TriMesh, kernel: &K) -> Self {
-        let facets = facets::facets(points, mesh, kernel);
-        // Sorting what there is takes less than looking through all points where few of them are corners.
-        if 16 * facets.corners.len() < points.len() {
-            let mut vertices = facets.corners.clone();
-            vertices.sort_unstable();
-            vertices.dedup();
-            return Hull3::Solid(Solid::in_order(facets, vertices));
+        Self::from_mesh_of(points, |id| id, mesh, kernel)
+    }
+
+    /// [`from_mesh`](Self::from_mesh) for a mesh whose corners are indices into `points` in some order of its own;
+    /// `names[i]` is the caller's index of `points[i]`.
+    ///
+    /// Of copies, `names` must give the one on the mesh the smallest index.
+    ///
+    /// # Panics
+    ///
+    /// If there are fewer names than points, or a name is not below the number of points.
+    pub fn from_renumbered_mesh<K: Kernel3>(
+        points: Points<'_, 3>,
+        names: &[u32],
+        mesh: &TriMesh,
+        kernel: &K,
+    ) -> Self {
+        Self::from_mesh_of(points, |id| names[id as usize], mesh, kernel)
+    }
+
+    fn from_mesh_of<K: Kernel3>(
+        points: Points<'_, 3>,
+        name: impl Fn(u32) -> u32,
+        mesh: &TriMesh,
+        kernel: &K,
+    ) -> Self {
+        let (is_whole, mut larger) = facets::facets(points, mesh, kernel);
+        let triangles = || {
+            let slots = (0_u32..).zip(&is_whole).filter(|(_, is_whole)| **is_whole);
+            slots.map(|(slot, _)| mesh.corners(TriangleId(slot)))
+        };
+        let mut is_corner = vec![false; points.len()];
+        for corner in triangles().flatten().chain(larger.corners.iter().copied()) {
+            is_corner[corner as usize] = true;
         }
         let mut is_vertex = vec![false; points.len()];
-        for &id in &facets.corners {
-            is_vertex[id as usize] = true;
+        for id in points.ids().filter(|&id| is_corner[id as usize]) {
+            is_vertex[name(id) as usize] = true;
         }
         let vertices = points.ids().filter(|&id| is_vertex[id as usize]).collect();
-        Hull3::Solid(Solid::in_order(facets, vertices))
+        for corner in &mut larger.corners {
+            *corner = name(*corner);
+        }
+        let triangles = || triangles().map(|corners| corners.map(&name));
+        let facets = canonical::in_order(points.len(), triangles, larger);
+        Hull3::Solid(Solid::of_sorted(facets, vertices))
     }
 
     /// The hull with every index i replaced by `ids[i]`: the hull of a set from the hull of those of its points that may be
@@ -180,34 +213,15 @@ impl Solid {
         let mut vertices = facets.corners.clone();
         vertices.sort_unstable();
         vertices.dedup();
-        Self::in_order(facets, vertices)
+        Self::of_sorted(canonical::sorted(facets), vertices)
     }
 
-    /// The solid with these facets, starting anywhere and in any order; `vertices` are all their corners, ascending.
-    ///
-    /// The facets are sorted by their first two corners, side by side in memory: no two facets of a surface share both.
-    fn in_order(mut facets: Loops, vertices: Vec<u32>) -> Self {
-        let mut order: Vec<(u64, u32)> = Vec::with_capacity(facets.len());
-        for i in 0..facets.len() {
-            let range = facets.range(i);
-            let corners = &mut facets.corners[range];
-            let first = (0..corners.len()).min_by_key(|&i| corners[i]).unwrap_or(0);
-            corners.rotate_left(first);
-            let [first, second] = [0, 1].map(|i| u64::from(corners.get(i).copied().unwrap_or(0)));
-            order.push((first << 32 | second, i as u32));
-        }
-        let corners = |i: u32| &facets.corners[facets.range(i as usize)];
-        order.sort_unstable_by(|(key, i), (other, j)| {
-            key.cmp(other).then_with(|| corners(*i).cmp(corners(*j)))
-        });
-        let mut sorted = Loops::with_capacity(facets.len(), facets.corners.len());
-        for &(_, i) in &order {
-            sorted.push(corners(i));
-        }
+    /// The solid with these facets, in canonical order, and these corners, ascending.
+    fn of_sorted(facets: Loops, vertices: Vec<u32>) -> Self {
         Self {
             vertices,
-            starts: sorted.starts,
-            corners: sorted.corners,
+            starts: facets.starts,
+            corners: facets.corners,
         }
     }
 

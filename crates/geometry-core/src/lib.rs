@@ -53,7 +53,7 @@ pub use hull3::{Hull3, Solid};
 pub use kernel::counted::{Counted, QuestionCounts, StageCounts};
 pub use kernel::lifted::Lifted;
 pub use kernel::perturbed::Perturbed;
-pub use kernel::space::{Axis, Kernel3};
+pub use kernel::space::{Axis, Basis, Kernel3};
 pub use kernel::{InCircle, Kernel2, Stage};
 pub use layers::Layers;
 pub use method::{Method, Task};

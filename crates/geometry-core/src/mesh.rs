@@ -1,22 +1,23 @@
 //! A triangulated surface: the working state of every spatial hull algorithm that grows one.
 //!
-//! Triangles live in an arena and name their three corners and their three neighbours. A *side* is one directed
-//! edge of one triangle, numbered `3 · triangle + corner`, from that corner to the next; anticlockwise seen from
-//! outside.
+//! Triangles live in an arena and name their three corners and their three neighbours, 24 bytes in one place. A *side*
+//! is one directed edge of one triangle, numbered `4 · triangle + corner` (so that a shift tells the triangle), from
+//! that corner to the next; anticlockwise seen from outside.
 //!
 //! ```text
-//!             c                      side 3t   runs a -> b, its twin b -> a in the triangle below
-//!            / \                     side 3t+1 runs b -> c
-//!   3t+2    /   \  3t+1              side 3t+2 runs c -> a
+//!             c                      side 4t   runs a -> b, its twin b -> a in the triangle below
+//!            / \                     side 4t+1 runs b -> c
+//!   4t+2    /   \  4t+1              side 4t+2 runs c -> a
 //!          /  t  \
 //!         a ----- b
-//!             3t
+//!             4t
 //! ```
 //!
 //! Invariants, outside of a change to the surface:
 //!
 //! 1. `twin(twin(s)) == s`, and the twin of a side from p to q runs from q to p.
-//! 2. Triangles that were removed are on the free list, and no living triangle is linked to one.
+//! 2. Triangles that were removed are on the free list, and no living triangle is linked to one. One that was
+//!    [taken out](TriMesh::take_out) is neither living nor free until [`TriMesh::replace`] uses its slot.
 
 /// A triangle of a [`TriMesh`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -30,7 +31,7 @@ impl TriangleId {
     /// Its side from corner `corner` (0, 1 or 2) to the next.
     #[inline(always)]
     pub fn side(self, corner: u32) -> SideId {
-        SideId(3 * self.0 + corner)
+        SideId(4 * self.0 + corner)
     }
 
     /// Its three sides, in order round it.
@@ -44,13 +45,13 @@ impl SideId {
     /// The triangle it belongs to.
     #[inline(always)]
     pub fn triangle(self) -> TriangleId {
-        TriangleId(self.0 / 3)
+        TriangleId(self.0 / 4)
     }
 
     /// The side after it, round the same triangle.
     #[inline(always)]
     pub fn next(self) -> SideId {
-        SideId(if self.0 % 3 == 2 {
+        SideId(if self.corner() == 2 {
             self.0 - 2
         } else {
             self.0 + 1
@@ -60,11 +61,23 @@ impl SideId {
     /// The side before it, round the same triangle.
     #[inline(always)]
     pub fn previous(self) -> SideId {
-        SideId(if self.0.is_multiple_of(3) {
+        SideId(if self.corner() == 0 {
             self.0 + 2
         } else {
             self.0 - 1
         })
+    }
+
+    /// The corner of its triangle, 0, 1 or 2, at which it begins.
+    #[inline(always)]
+    fn corner(self) -> usize {
+        self.0 as usize % 4
+    }
+
+    /// Where its triangle is in the arena.
+    #[inline(always)]
+    fn slot(self) -> usize {
+        self.0 as usize / 4
     }
 }
 
@@ -73,11 +86,16 @@ const NONE: u32 = u32::MAX;
 /// A triangulated closed surface under construction.
 #[derive(Clone, Debug, Default)]
 pub struct TriMesh {
-    /// The origin of each side.
-    origins: Vec<u32>,
-    /// The twin of each side.
-    twins: Vec<u32>,
+    triangles: Vec<Triangle>,
     free: Vec<u32>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Triangle {
+    /// The origin of each side; [`NONE`] first if the triangle is not on the surface.
+    origins: [u32; 3],
+    /// The twin of each side.
+    twins: [u32; 3],
 }
 
 impl TriMesh {
@@ -104,53 +122,55 @@ impl TriMesh {
 
     /// Adds a triangle with these corners, anticlockwise seen from outside, not linked to any other.
     pub fn add(&mut self, corners: [u32; 3]) -> TriangleId {
-        if let Some(triangle) = self.free.pop() {
-            let start = 3 * triangle as usize;
-            self.origins[start..start + 3].copy_from_slice(&corners);
-            return TriangleId(triangle);
-        }
-        let triangle = self.origins.len() / 3;
-        self.origins.extend(corners);
-        self.twins.extend([NONE; 3]);
-        TriangleId(triangle as u32)
+        let triangle = Triangle {
+            origins: corners,
+            twins: [NONE; 3],
+        };
+        TriangleId(if let Some(slot) = self.free.pop() {
+            self.triangles[slot as usize] = triangle;
+            slot
+        } else {
+            self.triangles.push(triangle);
+            (self.triangles.len() - 1) as u32
+        })
     }
 
     /// Removes a triangle; its number will be used again. Its neighbours must be removed or linked anew.
     pub fn remove(&mut self, triangle: TriangleId) {
-        for side in triangle.sides() {
-            self.origins[side.0 as usize] = NONE;
-        }
+        self.take_out(triangle);
         self.free.push(triangle.0);
+    }
+
+    /// Takes a triangle off the surface, but keeps its number for [`replace`](Self::replace), to which it must be
+    /// given.
+    #[inline(always)]
+    pub fn take_out(&mut self, triangle: TriangleId) {
+        self.triangles[triangle.0 as usize].origins[0] = NONE;
     }
 
     /// Makes two sides each other's twins.
     #[inline]
     pub fn link(&mut self, side: SideId, twin: SideId) {
-        self.twins[side.0 as usize] = twin.0;
-        self.twins[twin.0 as usize] = side.0;
+        self.triangles[side.slot()].twins[side.corner()] = twin.0;
+        self.triangles[twin.slot()].twins[twin.corner()] = side.0;
     }
 
     /// Whether the triangle is on the surface, that is, not removed.
     #[inline(always)]
     pub fn is_alive(&self, triangle: TriangleId) -> bool {
-        self.origins[3 * triangle.0 as usize] != NONE
+        self.triangles[triangle.0 as usize].origins[0] != NONE
     }
 
     /// The corners, anticlockwise seen from outside.
     #[inline(always)]
     pub fn corners(&self, triangle: TriangleId) -> [u32; 3] {
-        let start = 3 * triangle.0 as usize;
-        [
-            self.origins[start],
-            self.origins[start + 1],
-            self.origins[start + 2],
-        ]
+        self.triangles[triangle.0 as usize].origins
     }
 
     /// Where a side begins.
     #[inline(always)]
     pub fn origin(&self, side: SideId) -> u32 {
-        self.origins[side.0 as usize]
+        self.triangles[side.slot()].origins[side.corner()]
     }
 
     /// Where a side ends.
@@ -168,12 +188,18 @@ impl TriMesh {
     /// The same edge in the opposite direction, a side of the neighbour.
     #[inline(always)]
     pub fn twin(&self, side: SideId) -> SideId {
-        SideId(self.twins[side.0 as usize])
+        SideId(self.triangles[side.slot()].twins[side.corner()])
+    }
+
+    /// The same edges as the sides of a triangle, as sides of its neighbours.
+    #[inline(always)]
+    pub fn twins(&self, triangle: TriangleId) -> [SideId; 3] {
+        self.triangles[triangle.0 as usize].twins.map(SideId)
     }
 
     /// The number of slots for triangles, living or free: an upper bound on the numbers in use.
     pub fn slots(&self) -> usize {
-        self.origins.len() / 3
+        self.triangles.len()
     }
 
     /// The number of triangles on the surface.
@@ -209,6 +235,49 @@ impl TriMesh {
             let next = made[(i + 1) % made.len()];
             self.link(made[i].side(1), next.side(2));
         }
+    }
+
+    /// Puts the cone from `apex` over the rim in the place of the triangles `taken_out`, which it empties: as
+    /// [`close`](Self::close) after [`remove`](Self::remove), but in the slots just left, while they are in the cache.
+    ///
+    /// Returns a triangle of the cone; `None` if `horizon` is not one closed walk of three sides or more past living
+    /// triangles, and then the surface is of no use any more.
+    pub fn replace(
+        &mut self,
+        taken_out: &mut Vec<TriangleId>,
+        horizon: &[SideId],
+        apex: u32,
+    ) -> Option<TriangleId> {
+        if horizon.len() < 3 {
+            return None;
+        }
+        while taken_out.len() < horizon.len() {
+            let slot = self.add([NONE; 3]);
+            taken_out.push(slot);
+        }
+        for spare in taken_out.drain(horizon.len()..) {
+            self.free.push(spare.0);
+        }
+        let first = taken_out[0];
+        let mut before = taken_out[horizon.len() - 1];
+        let mut begins = self.origin(horizon[horizon.len() - 1]);
+        let mut is_closed = true;
+        let after = taken_out[1..].iter().chain([&first]);
+        for ((&beyond, &triangle), after) in horizon.iter().zip(&*taken_out).zip(after) {
+            let neighbour = &mut self.triangles[beyond.slot()];
+            let from = neighbour.origins[beyond.next().corner()];
+            let to = neighbour.origins[beyond.corner()];
+            neighbour.twins[beyond.corner()] = triangle.side(0).0;
+            is_closed &= (from == begins) & (neighbour.origins[0] != NONE);
+            begins = to;
+            self.triangles[triangle.0 as usize] = Triangle {
+                origins: [from, to, apex],
+                twins: [beyond.0, after.side(2).0, before.side(1).0],
+            };
+            before = triangle;
+        }
+        taken_out.clear();
+        is_closed.then_some(before)
     }
 
     /// Checks the invariants: for tests and debug assertions. O(triangles).

@@ -5,6 +5,7 @@
 //! | `incremental-r` | [`method_r`](mod@method_r) | Σ hᵢ: from O(n h) down, as the hull grows |
 //! | `incremental-3d` | [`incremental_3d`](mod@incremental_3d) | Σ Fᵢ: (n-1)(n-4) tests if all points are extreme |
 //! | `incremental-conflict` | [`incremental_conflict`](mod@incremental_conflict) | expected O(n log n) |
+//! | `incremental-brio` | [`incremental_brio`](mod@incremental_brio) | expected O(n log n) along a surface; the fastest if nearly all points are extreme |
 //!
 //! ```
 //! use geometry_core::{Boundary, Exact, Points, Silent};
@@ -17,12 +18,14 @@
 use geometry_core::{Method, planar_task, spatial_task};
 
 pub mod incremental_3d;
+pub mod incremental_brio;
 pub mod incremental_conflict;
 pub mod method_r;
 mod order;
 mod surface;
 
 pub use incremental_3d::{incremental_3d, incremental_3d_in, incremental_3d_seeded};
+pub use incremental_brio::incremental_brio;
 pub use incremental_conflict::{
     incremental_conflict, incremental_conflict_in, incremental_conflict_seeded,
 };
@@ -57,5 +60,14 @@ pub const METHODS: &[Method] = &[
         departures: incremental_conflict::DEPARTURES,
         cost: "O(n log n) expected",
         task: spatial_task!(incremental_conflict::incremental_conflict),
+    },
+    Method {
+        slug: "incremental-brio",
+        title: "Insertion in a biased random order along Hilbert's curve, found by walking",
+        citation: "N. Amenta, S. Choi, G. Rote, Incremental constructions con BRIO, Proceedings of the 19th Annual \
+                   Symposium on Computational Geometry, 211-219, 2003",
+        departures: incremental_brio::DEPARTURES,
+        cost: "O(n log n) expected for points along a surface",
+        task: spatial_task!(incremental_brio::incremental_brio),
     },
 ];

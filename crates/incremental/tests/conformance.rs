@@ -23,3 +23,8 @@ fn incremental_3d() {
 fn incremental_conflict() {
     hull_verify::conformance::spatial_hull(method("incremental-conflict"));
 }
+
+#[test]
+fn incremental_brio() {
+    hull_verify::conformance::spatial_hull(method("incremental-brio"));
+}

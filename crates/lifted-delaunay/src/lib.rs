@@ -43,17 +43,34 @@
 //! **Departures.** See [`DEPARTURES`].
 //!
 //! **When not to use it.** When speed is all: the hull of the lifted points also has the upper facets, which are thrown
-//! away, and planar methods that know the in-circle test from the start have simpler insides.
+//! away. [`fast`] knows the in-circle test from the start, and gives the same triangulation.
 //!
 //! [`voronoi`] has the dual.
 
+pub mod fast;
 pub mod voronoi;
 
+pub use fast::{fast_delaunay, fast_delaunay_counted, fast_delaunay_parallel};
 pub use voronoi::{Voronoi, VoronoiEdge};
 
 use geometry_core::{
-    Axis, Hull3, HullError, InCircle, Kernel2, Kernel3, Lifted, Point3, Points, Sign, Triangulation,
+    Axis, Hull3, HullError, InCircle, Kernel2, Kernel3, Lifted, Method, Point3, Points, Sign, Task,
+    Triangulation,
 };
+
+/// The methods of this crate that need no spatial method.
+pub const METHODS: &[Method] = &[Method {
+    slug: "fast-delaunay",
+    title: "Delaunay triangulation by divide and conquer",
+    citation: "L. Guibas and J. Stolfi, Primitives for the manipulation of general subdivisions and the computation of \
+               Voronoi diagrams, ACM Transactions on Graphics 4, 74-123, 1985; R. A. Dwyer, A faster divide-and-conquer \
+               algorithm for constructing Delaunay triangulations, Algorithmica 2, 137-151, 1987",
+    departures: fast::DEPARTURES,
+    cost: "O(n log n)",
+    task: Task::Delaunay(geometry_core::method::Delaunay {
+        exact: fast_delaunay,
+    }),
+}];
 
 /// Where this crate departs from Nathan's description, and why.
 pub const DEPARTURES: &[&str] = &[

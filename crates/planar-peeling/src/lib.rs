@@ -6,8 +6,9 @@
 //! | `gs-bare` | [`gs`](gs::gs_bare) | as `gs` | to time what the bookkeeping for peels costs |
 //! | `monotone-chain` | [`monotone_chain`] | O(n log n) | when most points are extreme, or an adversary chose them |
 //! | `graham` | [`graham`] | O(n log n) | to compare with the first O(n log n) method |
-//! | `gs-peel` | [`peel`] | O(n L) on average for L layers | for layers and c-ranks of points without structure |
-//! | `chain-peel` | [`chain_peel`] | O(n log n + n L) | as an independent check of `gs-peel` |
+//! | `gs-peel` | [`peel`] | O(n L) on average for L layers | for the first layers, or a few hundred points |
+//! | `chain-peel` | [`chain_peel`] | O(n log n + n L) | as an independent check of the others |
+//! | `fast-layers` | [`fast_layers`](mod@fast_layers) | O(n log n) | by default for layers |
 //!
 //! The hull methods give a [`Hull2`](geometry_core::Hull2), the layers methods [`Layers`](geometry_core::Layers),
 //! whose [`c_ranks`](geometry_core::Layers::c_ranks) are the stages at which points leave.
@@ -24,6 +25,7 @@
 //! ```
 
 pub mod chain_peel;
+pub mod fast_layers;
 pub mod graham;
 pub mod gs;
 pub mod monotone_chain;
@@ -98,5 +100,18 @@ pub const METHODS: &[Method] = &[
         ],
         cost: "O(n log n + n L) for L layers; O(n^2) at worst",
         task: planar_task!(PlanarLayers, chain_peel::chain_peel),
+    },
+    Method {
+        slug: "fast-layers",
+        title: "Convex layers from two trees of hulls that only shrink",
+        citation: "M. H. Overmars and J. van Leeuwen, Maintenance of configurations in the plane, J. Comput. System Sci. 23 (1981) 166-204; B. Chazelle, On the convex layers of a planar set, IEEE Trans. Inform. Theory 31 (1985) 509-517; J. Hershberger and S. Suri, Applications of a semi-dynamic convex hull algorithm, BIT 32 (1992) 249-267",
+        departures: &[
+            "hulls are linked lists in the nodes of a static tree, a point in that of the highest node whose hull it is on",
+            "leaves hold blocks of points",
+            "a layer leaves in one pass over the tree of its half, and point by point from the other",
+            "points are put in order by their coordinates; the kernel is not asked",
+        ],
+        cost: "O(n log n)",
+        task: planar_task!(PlanarLayers, fast_layers::fast_layers),
     },
 ];

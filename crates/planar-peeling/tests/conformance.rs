@@ -39,3 +39,8 @@ fn gs_peel() {
 fn chain_peel() {
     planar_layers(method("chain-peel"));
 }
+
+#[test]
+fn fast_layers() {
+    planar_layers(method("fast-layers"));
+}

@@ -38,8 +38,9 @@ mod sets;
 mod simplex;
 mod surface;
 
+use crate::quickhull_3d;
 use directions::DirectionMap;
-use geometry_core::{Hull3, HullError, Kernel3, Observer, Point3, Points, Silent};
+use geometry_core::{Basis, Hull3, HullError, Kernel3, Observer, Point3, Points, Silent};
 use left::Left;
 use rayon::prelude::*;
 use renumbered::Renumbered;
@@ -47,6 +48,8 @@ use surface::{Surface, surface};
 
 /// Where this method departs from the published one, and why.
 pub const DEPARTURES: &[&str] = &[
+    "under a kernel whose answers are not about the coordinates themselves, such as that of lifted points, it is \
+     quickhull-3d",
     "answers that rounded arithmetic is proved to give right are not asked of the kernel, so a kernel is only asked the \
      others; Step::Visit tells each test of a point against a plane or the map",
     "points inside the hull of a sample are discarded first",
@@ -81,6 +84,10 @@ pub fn fast_3d<K: Kernel3, O: Observer>(
     kernel: &K,
     observer: &mut O,
 ) -> Result<Hull3, HullError> {
+    // What is discarded is discarded for its coordinates, which must be what the kernel answers about.
+    if kernel.basis() == Basis::Other {
+        return quickhull_3d(points, kernel, observer);
+    }
     let Some(map) = map_of_sample(points, None, kernel, observer)? else {
         let mut observer = Renumbered {
             observer,
@@ -121,6 +128,9 @@ pub fn fast_3d_parallel<K: Kernel3>(points: &[Point3], kernel: &K) -> Result<Hul
         // The error names the first bad coordinate of all.
         None => Points::new(points)?,
     };
+    if kernel.basis() == Basis::Other {
+        return quickhull_3d(points, kernel, &mut Silent);
+    }
     let Some(map) = map_of_sample(points, None, kernel, &mut Silent)? else {
         return fast_3d(points, kernel, &mut Silent);
     };

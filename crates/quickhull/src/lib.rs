@@ -3,6 +3,8 @@
 //! | slug | module | time |
 //! |---|---|---|
 //! | `eddy` | [`eddy`](mod@eddy) | O(n h), about linear on the usual distributions |
+//! | `fast-2d` | [`fast_2d`](mod@fast_2d) | O(n + m log m) for m points left by the throw-away |
+//! | `fast-2d-parallel` | [`fast_2d_parallel`] | the same, the pass over all points on several processors |
 //! | `quickhull-balan` | [`balan_quickhull`](mod@balan_quickhull) | O(n m) for m facets made |
 //! | `quickhull-3d` | [`quickhull_3d`](mod@quickhull_3d) | O(n²); about linear on the usual distributions, O(n log n) on a sphere |
 //! | `fast-3d` | [`fast_3d`](mod@fast_3d) | O(n) on average where few points are extreme |
@@ -15,10 +17,12 @@
 //! # Ok::<(), geometry_core::HullError>(())
 //! ```
 
-use geometry_core::{Method, planar_task, spatial_task};
+use geometry_core::method::PlanarHull;
+use geometry_core::{Exact, Method, Task, planar_task, spatial_task};
 
 pub mod balan_quickhull;
 pub mod eddy;
+pub mod fast_2d;
 pub mod fast_3d;
 mod furthest;
 mod horizon;
@@ -27,8 +31,14 @@ pub mod quickhull_3d;
 
 pub use balan_quickhull::balan_quickhull;
 pub use eddy::eddy;
+pub use fast_2d::{convex_hull, convex_hull_parallel, fast_2d, fast_2d_parallel};
 pub use fast_3d::{fast_3d, fast_3d_parallel};
 pub use quickhull_3d::quickhull_3d;
+
+const THROW_AWAY: &str = "S. G. Akl, G. T. Toussaint, A fast convex hull algorithm, Information Processing Letters 7 \
+                          (1978), 219-222; L. Devroye, G. T. Toussaint, A note on linear expected time algorithms for \
+                          finding convex hulls, Computing 26 (1981), 361-366; A. M. Andrew, Information Processing \
+                          Letters 9 (1979), 216-219";
 
 /// The methods of this family.
 pub const METHODS: &[Method] = &[
@@ -40,6 +50,31 @@ pub const METHODS: &[Method] = &[
         departures: eddy::DEPARTURES,
         cost: "O(n h); about linear on average for the usual distributions",
         task: planar_task!(PlanarHull, eddy::eddy),
+    },
+    Method {
+        slug: "fast-2d",
+        title: "Throw-away with certificates, then monotone chains",
+        citation: THROW_AWAY,
+        departures: fast_2d::DEPARTURES,
+        cost: "O(n + m log m) for m points not thrown away: about linear on average where few points are extreme, \
+               O(n log n) always",
+        task: planar_task!(PlanarHull, fast_2d::fast_2d),
+    },
+    Method {
+        slug: "fast-2d-parallel",
+        title: "Throw-away with certificates on several processors, then monotone chains",
+        citation: THROW_AWAY,
+        departures: fast_2d::PARALLEL_DEPARTURES,
+        cost: "that of fast-2d; the pass over all points is shared among the processors",
+        task: Task::PlanarHull(PlanarHull {
+            exact: |points, boundary| fast_2d::fast_2d_parallel(points, boundary, &Exact),
+            tallied: |points, boundary, kernel, tally| {
+                fast_2d::fast_2d(points, boundary, &kernel, tally)
+            },
+            recorded: |points, boundary, kernel, recorder| {
+                fast_2d::fast_2d(points, boundary, &kernel, recorder)
+            },
+        }),
     },
     Method {
         slug: "quickhull-balan",

@@ -13,6 +13,16 @@ fn eddy() {
 }
 
 #[test]
+fn fast_2d() {
+    hull_verify::conformance::planar_hull(method("fast-2d"));
+}
+
+#[test]
+fn fast_2d_parallel() {
+    hull_verify::conformance::planar_hull(method("fast-2d-parallel"));
+}
+
+#[test]
 fn quickhull_balan() {
     hull_verify::conformance::spatial_hull(method("quickhull-balan"));
 }

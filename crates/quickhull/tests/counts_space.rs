@@ -7,13 +7,13 @@ use geometry_core::Step::*;
 use geometry_core::{Counted, Exact, Hull3, HullError, Observer, Point3, Points, Recorder, Tally};
 use hull_verify::families_space::{grids, random, round};
 
-/// The hull, the steps, and the orientations asked before the facets are merged: the merging asks three for
-/// each triangle of the surface.
+/// The hull, the steps, and the orientations asked before the facets are merged: the merging asks one for
+/// each edge of the surface.
 fn quickhull_3d(points: &[Point3]) -> Result<(Hull3, Tally, f64), HullError> {
     let kernel = Counted::new(Exact);
     let mut tally = Tally::default();
     let hull = quickhull::quickhull_3d(Points::new(points)?, &kernel, &mut tally)?;
-    let merging = 3 * (tally.facets - tally.drops);
+    let merging = 3 * (tally.facets - tally.drops) / 2;
     let asked = kernel.counts().orientations_in_space.total() - merging;
     Ok((hull, tally, asked as f64 / points.len() as f64))
 }

@@ -3,9 +3,7 @@
 use super::experiments::times::TWIN;
 use super::records::Records;
 use crate::reproduce::space::rows::CountRow;
-use crate::reproduce::stats::line::{Line, fit_log_log};
-use crate::reproduce::stats::summary::mean;
-use std::collections::BTreeMap;
+use crate::stats::summary::mean;
 
 /// A distribution and a size.
 pub(crate) type Cell<'a> = (&'a str, usize);
@@ -17,12 +15,12 @@ pub(crate) fn triangles(row: &CountRow) -> u64 {
 
 /// Orientations asked to tell on which side of a facet's plane a point lies.
 ///
-/// Merging coplanar triangles asks three for each triangle. The two insertions ask one for their first
+/// Merging coplanar triangles asks one for each edge, three for two triangles. The two insertions ask one for their first
 /// tetrahedron, if the first four points of the order span space; the few that the quickhulls ask for theirs are
 /// left in.
 pub(crate) fn plane_tests(row: &CountRow) -> f64 {
     let start = u64::from(row.method.starts_with("incremental"));
-    row.orientations as f64 - (start + 3 * triangles(row)) as f64
+    row.orientations as f64 - (start + 3 * triangles(row) / 2) as f64
 }
 
 /// All questions of every kind.
@@ -40,86 +38,6 @@ pub(crate) fn runs<'a>(
         .counts
         .iter()
         .filter(move |row| row.distribution == distribution && row.method == method)
-}
-
-/// n and `quantity` of each run.
-pub(crate) fn against_n<'a>(
-    runs: impl Iterator<Item = &'a CountRow>,
-    quantity: impl Fn(&CountRow) -> f64,
-) -> Vec<(f64, f64)> {
-    runs.map(|row| (row.n as f64, quantity(row))).collect()
-}
-
-/// The values of each n, by n.
-pub(crate) fn groups(data: &[(f64, f64)]) -> Vec<(f64, Vec<f64>)> {
-    let mut groups: BTreeMap<u64, Vec<f64>> = BTreeMap::new();
-    for &(n, value) in data {
-        groups.entry(n as u64).or_default().push(value);
-    }
-    groups
-        .into_iter()
-        .map(|(n, values)| (n as f64, values))
-        .collect()
-}
-
-/// The mean of the values of each n.
-pub(crate) fn means(data: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    groups(data)
-        .into_iter()
-        .map(|(n, values)| (n, mean(&values)))
-        .collect()
-}
-
-/// The mean at the largest n.
-pub(crate) fn at_largest(data: &[(f64, f64)]) -> Option<(f64, f64)> {
-    means(data).last().copied()
-}
-
-/// The data of the two upper decades of n: where an asymptotic statement is to be looked for.
-pub(crate) fn upper_decades(data: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let largest = data.iter().map(|(n, _)| *n).fold(0.0, f64::max);
-    data.iter()
-        .copied()
-        .filter(|(n, _)| 100.5 * n >= largest)
-        .collect()
-}
-
-/// "n from … to …", for the sizes in `data`.
-pub(crate) fn range(data: &[(f64, f64)]) -> String {
-    let least = data.iter().map(|(n, _)| *n).fold(f64::INFINITY, f64::min);
-    let most = data.iter().map(|(n, _)| *n).fold(0.0, f64::max);
-    format!("n from {least} to {most}")
-}
-
-/// The exponent of growth over the two upper decades, with its interval at 90 %.
-#[derive(Clone, Debug)]
-pub(crate) struct Exponent {
-    pub(crate) value: f64,
-    pub(crate) interval: (f64, f64),
-    /// The sizes it was fitted on.
-    pub(crate) range: String,
-}
-
-impl std::fmt::Display for Exponent {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let (low, high) = self.interval;
-        write!(
-            f,
-            "{:.3}, 90 % [{low:.3}, {high:.3}], {}",
-            self.value, self.range
-        )
-    }
-}
-
-/// The exponent of `data` in n; `None` for less than two sizes or three runs.
-pub(crate) fn exponent(data: &[(f64, f64)]) -> Option<Exponent> {
-    let data = upper_decades(data);
-    let line: Line = fit_log_log(&data)?;
-    Some(Exponent {
-        value: line.slope,
-        interval: line.slope_interval(0.90),
-        range: range(&data),
-    })
 }
 
 /// The cells that were timed, in the order of the records.

@@ -65,13 +65,6 @@ pub(crate) struct AngleRow {
 }
 
 impl Records {
-    /// Whether any method failed in this cell.
-    pub(crate) fn failed(&self, distribution: &str, n: usize, method: &str) -> bool {
-        self.failures.iter().any(|row| {
-            (row.distribution.as_str(), row.n, row.method.as_str()) == (distribution, n, method)
-        })
-    }
-
     /// Every file: its name, its text, its number of rows.
     pub(crate) fn files(&self) -> Result<Vec<(&'static str, String, usize)>> {
         let files = [

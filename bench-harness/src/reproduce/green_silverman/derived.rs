@@ -2,8 +2,8 @@
 
 use super::experiments::times::TWIN;
 use super::records::{CountRow, Records};
-use crate::reproduce::stats::bootstrap::{Bootstrapped, clustered_median};
-use crate::reproduce::stats::summary::{mean, median, standard_error};
+use crate::stats::bootstrap::{Bootstrapped, clustered_median};
+use crate::stats::summary::{mean, median, standard_error};
 use std::collections::BTreeMap;
 
 /// A distribution and a size.

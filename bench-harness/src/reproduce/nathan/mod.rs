@@ -20,7 +20,6 @@ mod published;
 mod records;
 mod render;
 mod sets;
-mod surface;
 mod topics;
 mod verdicts;
 

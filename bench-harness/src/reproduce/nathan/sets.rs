@@ -5,7 +5,6 @@ use crate::reproduce::space::sets::PointSet3;
 use anyhow::{Context, Result};
 use geometry_core::Point2;
 use point_sets::Spec;
-use sha2::{Digest, Sha256};
 use std::str::FromStr;
 
 /// Points of the unit sphere, pushed out to distance 1 from the z axis: the paper's epsilon is next to nothing here.
@@ -63,20 +62,6 @@ pub(crate) fn generate_planar(
         *coordinate += offset;
     }
     Ok(points)
-}
-
-/// SHA-256, shortened, over fingerprints in order: one name for all the sets of a cell.
-pub(crate) fn digest<S: AsRef<str>>(fingerprints: impl IntoIterator<Item = S>) -> String {
-    let mut digest = Sha256::new();
-    for fingerprint in fingerprints {
-        digest.update(fingerprint.as_ref());
-    }
-    let bytes = digest.finalize();
-    bytes
-        .iter()
-        .take(8)
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
 }
 
 #[cfg(test)]

@@ -2,5 +2,5 @@
 
 pub(crate) mod claims;
 pub(crate) mod folder;
-pub(crate) mod plot;
-pub(crate) mod sheet;
+
+pub(crate) use crate::output::{plot, sheet};

@@ -1,8 +1,8 @@
 //! Times of one contestant over another's, from the samples.
 
 use super::rows::TimeRow;
-use crate::reproduce::stats::bootstrap::{Bootstrapped, clustered_median};
-use crate::reproduce::stats::summary::median;
+use crate::stats::bootstrap::{Bootstrapped, clustered_median};
+use crate::stats::summary::median;
 use std::collections::BTreeMap;
 
 /// The median nanoseconds a call of `method` in the cell (distribution, n).

@@ -3,6 +3,7 @@
 use anyhow::{Context, Result};
 use geometry_core::Point3;
 use point_sets::Spec;
+use sha2::{Digest, Sha256};
 use std::str::FromStr;
 
 /// A generated set and what it was generated from.
@@ -57,4 +58,18 @@ impl PointSet3 {
     pub(crate) fn fingerprint(&self) -> String {
         point_sets::fingerprint(&self.points).to_string()
     }
+}
+
+/// SHA-256, shortened, over fingerprints in order: one name for all the sets of a cell.
+pub(crate) fn digest<S: AsRef<str>>(fingerprints: impl IntoIterator<Item = S>) -> String {
+    let mut digest = Sha256::new();
+    for fingerprint in fingerprints {
+        digest.update(fingerprint.as_ref());
+    }
+    let bytes = digest.finalize();
+    bytes
+        .iter()
+        .take(8)
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
 }

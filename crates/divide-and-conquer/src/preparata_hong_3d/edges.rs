@@ -197,7 +197,6 @@ impl Edges {
     }
 
     /// The darts of all edges, by number.
-    #[cfg(test)]
     pub(crate) fn darts(&self) -> impl Iterator<Item = Dart> + '_ {
         let all = 0..self.ends.len() as u32;
         all.map(Dart).filter(|&dart| self.end(dart).origin != NONE)

@@ -23,6 +23,19 @@ use geometry_core::mesh::TriMesh;
 /// `edges` must be those of a triangulated sphere, whose vertices are below `places`; on anything else the path stops
 /// with a [`Fault`].
 pub(crate) fn by_spiral(edges: &Edges, start: Dart, places: usize) -> Result<Vec<Dart>, Fault> {
+    spiral(edges, start, places).map(|spiral| spiral.facets)
+}
+
+/// The facets of a spiral, and what following it by recursion would take.
+pub(crate) struct Spiral {
+    pub(crate) facets: Vec<Dart>,
+    /// The most calls of Day's `expand_path_over_faces` within each other.
+    pub(crate) deepest: usize,
+}
+
+/// [`by_spiral`], with the depth of Day's recursion: a call lists one facet, and what is left of the path, in one
+/// piece or two, is a call within it.
+pub(crate) fn spiral(edges: &Edges, start: Dart, places: usize) -> Result<Spiral, Fault> {
     let facets = 2 * edges.live() / 3;
     let mut path = Path {
         steps: Vec::with_capacity(facets + 2),
@@ -31,12 +44,14 @@ pub(crate) fn by_spiral(edges: &Edges, start: Dart, places: usize) -> Result<Vec
     let mut listed = Vec::with_capacity(facets);
     let mut waiting = Vec::new();
     let mut tail = path.begin(edges, start);
+    let (mut depth, mut deepest) = (0, 0);
     loop {
         if path.encloses_nothing(tail) {
-            let Some(next) = waiting.pop() else {
-                return Ok(listed);
+            let Some((next, from)) = waiting.pop() else {
+                let facets = listed;
+                return Ok(Spiral { facets, deepest });
             };
-            tail = next;
+            (tail, depth) = (next, from);
             path.renew(edges, tail);
             continue;
         }
@@ -46,6 +61,8 @@ pub(crate) fn by_spiral(edges: &Edges, start: Dart, places: usize) -> Result<Vec
         let dart = path.steps[tail as usize].dart;
         let [_, to_apex, from_apex] = edges.triangle(dart).ok_or(Fault::Tangled)?;
         listed.push(dart);
+        depth += 1;
+        deepest = deepest.max(depth);
         let apex = edges.target(to_apex);
         // u → w precedes the tail, which becomes w → v.
         let head = path.insert_before(edges, tail, from_apex.reversed());
@@ -55,7 +72,7 @@ pub(crate) fn by_spiral(edges: &Edges, start: Dart, places: usize) -> Result<Vec
             path.renew(edges, tail);
         } else {
             path.split(contact, head, tail);
-            waiting.push(tail);
+            waiting.push((tail, depth));
             tail = head;
         }
     }
@@ -130,6 +147,18 @@ impl Path {
     }
 }
 
+/// Every facet once, as its smallest dart, in the order of the records: a plain traversal.
+pub(crate) fn by_number(edges: &Edges) -> Result<Vec<Dart>, Fault> {
+    let mut first = Vec::new();
+    for dart in edges.darts() {
+        let facet = edges.triangle(dart).ok_or(Fault::Tangled)?;
+        if facet.iter().all(|&other| dart <= other) {
+            first.push(dart);
+        }
+    }
+    Ok(first)
+}
+
 /// The surface of these facets, with the caller's indices of the places.
 ///
 /// A [`Fault`] if an edge has not one facet on either side, or none on both.
@@ -163,15 +192,6 @@ mod tests {
     use super::*;
     use geometry_core::{Exact, Perturbed, Point3, Points, Silent};
 
-    /// Every facet once, as its smallest dart, by looking at every dart.
-    fn by_number(edges: &Edges) -> Vec<Dart> {
-        let is_first = |&dart: &Dart| {
-            let facet = edges.triangle(dart).expect("all facets are triangles");
-            facet.iter().all(|&other| dart <= other)
-        };
-        edges.darts().filter(is_first).collect()
-    }
-
     fn smallest(edges: &Edges, dart: Dart) -> Dart {
         let facet = edges.triangle(dart).expect("a triangle");
         facet.into_iter().min().expect("three darts")
@@ -204,10 +224,12 @@ mod tests {
                 .expect("an exact kernel");
             let edges = &surface.edges;
             let start = Dart(surface.places[0].spoke);
-            let spiral = by_spiral(edges, start, order.ids.len()).expect("a sphere");
-            let mut listed: Vec<Dart> = spiral.iter().map(|&dart| smallest(edges, dart)).collect();
+            let spiral = spiral(edges, start, order.ids.len()).expect("a sphere");
+            let facets = spiral.facets.iter();
+            let mut listed: Vec<Dart> = facets.map(|&dart| smallest(edges, dart)).collect();
             listed.sort_unstable();
-            assert_eq!(listed, by_number(edges));
+            assert_eq!(listed, by_number(edges).expect("a sphere"));
+            assert!(spiral.deepest >= 1 && spiral.deepest <= listed.len());
         }
     }
 }

@@ -2,4 +2,5 @@
 
 mod cotangent;
 mod counts;
+mod listing;
 mod sets;

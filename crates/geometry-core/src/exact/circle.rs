@@ -10,7 +10,7 @@ use crate::points::Point2;
 use crate::sign::Sign;
 
 /// Shewchuk's bound A, relative to the permanent.
-const FILTER: f64 = (10.0 + 96.0 * ROUNDING) * ROUNDING;
+pub(super) const FILTER: f64 = (10.0 + 96.0 * ROUNDING) * ROUNDING;
 
 /// Bound B: only the differences are rounded.
 const ROUNDED_DIFFERENCES: f64 = (4.0 + 48.0 * ROUNDING) * ROUNDING;
@@ -51,6 +51,27 @@ pub(super) fn in_circle(a: Point2, b: Point2, c: Point2, d: Point2) -> (Sign, St
         return (sign, Stage::Filter);
     }
     in_circle_closely(a, b, c, d, permanent)
+}
+
+/// The determinant as [`in_circle`] rounds it, alone.
+#[inline(always)]
+pub(super) fn rounded_determinant(a: Point2, b: Point2, c: Point2, d: Point2) -> f64 {
+    let u = [a[0] - d[0], a[1] - d[1]];
+    let v = [b[0] - d[0], b[1] - d[1]];
+    let w = [c[0] - d[0], c[1] - d[1]];
+    let [u_lift, v_lift, w_lift] = [u, v, w].map(|p| p[0] * p[0] + p[1] * p[1]);
+    u_lift * (v[0] * w[1] - v[1] * w[0])
+        + v_lift * (w[0] * u[1] - w[1] * u[0])
+        + w_lift * (u[0] * v[1] - u[1] * v[0])
+}
+
+/// The permanent of [`in_circle`] at differences of `width` and `height`, the largest of all points in such a box.
+#[inline(always)]
+pub(super) fn largest_permanent(width: f64, height: f64) -> f64 {
+    let lift = width * width + height * height;
+    let minor = width * height;
+    let term = (lift + UNDERFLOW) * (minor + minor + UNDERFLOW);
+    term + term + term + UNDERFLOW
 }
 
 #[cold]

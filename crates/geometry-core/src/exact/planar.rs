@@ -11,7 +11,7 @@ use crate::sign::Sign;
 
 /// Bounds the error of the determinant relative to the sum of its two products: each product is of two
 /// rounded differences and rounded itself, and so is the final difference (Shewchuk's bound A).
-const FILTER: f64 = (3.0 + 16.0 * ROUNDING) * ROUNDING;
+pub(super) const FILTER: f64 = (3.0 + 16.0 * ROUNDING) * ROUNDING;
 
 /// The same when only the differences are rounded (bound B).
 const ROUNDED_DIFFERENCES: f64 = (2.0 + 12.0 * ROUNDING) * ROUNDING;
@@ -77,6 +77,11 @@ fn cross_closely(
 /// Shewchuk's stages B, C and D. `u` is b-a, `v` is d-c, each a rounded difference and its tail.
 fn cross_adaptively(a: Point2, b: Point2, c: Point2, d: Point2) -> Sign {
     let [u, v] = [[b[0] - a[0], b[1] - a[1]], [d[0] - c[0], d[1] - c[1]]];
+    // A rounded difference is zero only if the exact one is: on level and upright lines, nothing is left to do.
+    let is_zero = |p: f64, q: f64| p == 0.0 || q == 0.0;
+    if is_zero(u[0], v[1]) && is_zero(u[1], v[0]) {
+        return Sign::Zero;
+    }
     let rounded = difference_of_products(u[0], v[1], u[1], v[0]);
     let u_tail = [
         difference_tail(b[0], a[0], u[0]),

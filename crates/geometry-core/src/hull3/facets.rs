@@ -45,34 +45,40 @@ impl Loops {
     }
 }
 
-/// The facets, each anticlockwise seen from outside.
-pub(super) fn facets<K: Kernel3>(points: Points<'_, 3>, mesh: &TriMesh, kernel: &K) -> Loops {
+/// The facets, each anticlockwise seen from outside: for each slot of the mesh, whether its triangle is a facet by
+/// itself, and the larger facets.
+///
+/// One orientation an edge tells which are which.
+pub(super) fn facets<K: Kernel3>(
+    points: Points<'_, 3>,
+    mesh: &TriMesh,
+    kernel: &K,
+) -> (Vec<bool>, Loops) {
     let merger = Merger {
         points,
         mesh,
         kernel,
     };
-    let mut used = vec![false; mesh.slots()];
+    let is_whole = merger.without_coplanar_neighbours();
+    let mut larger = Loops::with_capacity(0, 0);
+    let mut used = Vec::new();
     // The number of the facet, plus one, whose walk last met a triangle.
-    let mut met = vec![0_u32; mesh.slots()];
-    let mut facets = Loops::with_capacity(mesh.len(), 3 * mesh.len());
+    let mut met = Vec::new();
     for triangle in mesh.triangles() {
-        if used[triangle.0 as usize] {
+        let slot = triangle.0 as usize;
+        if is_whole[slot] {
             continue;
         }
-        used[triangle.0 as usize] = true;
-        if triangle
-            .sides()
-            .into_iter()
-            .all(|side| !merger.is_coplanar_across(side))
-        {
-            facets.push(&mesh.corners(triangle));
-        } else if !merger.is_flat(triangle) {
-            let walk = facets.len() as u32 + 1;
-            facets.push(&merger.facet_around(triangle, walk, &mut met, &mut used));
+        // Only now, as in general position nothing is to be merged.
+        used.resize(mesh.slots(), false);
+        met.resize(mesh.slots(), 0_u32);
+        if !used[slot] && !merger.is_flat(triangle) {
+            used[slot] = true;
+            let walk = larger.len() as u32 + 1;
+            larger.push(&merger.facet_around(triangle, walk, &mut met, &mut used));
         }
     }
-    facets
+    (is_whole, larger)
 }
 
 struct Merger<'a, K> {
@@ -82,14 +88,45 @@ struct Merger<'a, K> {
 }
 
 impl<K: Kernel3> Merger<'_, K> {
-    fn is_coplanar_across(&self, side: SideId) -> bool {
-        let apex = self.mesh.apex(self.mesh.twin(side));
-        self.is_on_plane(self.mesh.corners(side.triangle()), apex)
+    /// For each slot of the mesh, whether it has a triangle, and none of its neighbours is coplanar with it.
+    fn without_coplanar_neighbours(&self) -> Vec<bool> {
+        let slots = self.mesh.slots() as u32;
+        let mut found: Vec<bool> = (0..slots)
+            .map(|slot| self.mesh.is_alive(TriangleId(slot)))
+            .collect();
+        // Each edge once, from the triangle with the greater number, which is as good as random: chosen without a
+        // branch, in batches.
+        let mut batch = [(TriangleId(0), SideId(0)); 256];
+        let mut filled = 0;
+        for triangle in self.mesh.triangles() {
+            for twin in self.mesh.twins(triangle) {
+                batch[filled] = (triangle, twin);
+                filled += usize::from(twin.triangle() < triangle);
+            }
+            if filled + 3 > batch.len() {
+                self.strike_coplanar(&batch[..filled], &mut found);
+                filled = 0;
+            }
+        }
+        self.strike_coplanar(&batch[..filled], &mut found);
+        found
     }
 
+    /// Clears the marks of the triangles that are coplanar with the one at the other end of a pair.
+    fn strike_coplanar(&self, pairs: &[(TriangleId, SideId)], is_whole: &mut [bool]) {
+        for &(triangle, twin) in pairs {
+            if self.is_on_plane(self.mesh.corners(triangle), self.mesh.apex(twin)) {
+                is_whole[triangle.0 as usize] = false;
+                is_whole[twin.triangle().0 as usize] = false;
+            }
+        }
+    }
+
+    /// The point comes first in the question, as the one close to the corners of which two are close together and one
+    /// is far away: differences from it are small, and the filter is certain.
     fn is_on_plane(&self, plane: [u32; 3], id: u32) -> bool {
         let [a, b, c] = plane.map(|id| self.points[id]);
-        self.kernel.orient3(a, b, c, self.points[id]).is_zero()
+        self.kernel.orient3(self.points[id], a, b, c).is_zero()
     }
 
     fn is_flat(&self, triangle: TriangleId) -> bool {

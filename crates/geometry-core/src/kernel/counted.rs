@@ -1,6 +1,6 @@
 //! A kernel that counts the questions it is asked.
 
-use super::space::{Axis, Kernel3};
+use super::space::{Axis, Basis, Kernel3};
 use super::{InCircle, Kernel2, Stage};
 use crate::points::{Point2, Point3};
 use crate::sign::Sign;
@@ -176,6 +176,10 @@ impl<K: InCircle> InCircle for Counted<K> {
 }
 
 impl<K: Kernel3> Kernel3 for Counted<K> {
+    fn basis(&self) -> Basis {
+        self.inner.basis()
+    }
+
     fn orient3_staged(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage) {
         let answer = self.inner.orient3_staged(a, b, c, d);
         self.count(|n| n.orientations_in_space.add(answer.1));

@@ -40,8 +40,22 @@ impl Axis {
     }
 }
 
+/// What a kernel's answers are about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Basis {
+    /// The coordinates as they are, exactly: an algorithm may answer by arithmetic of its own where it has a proof.
+    Coordinates,
+    /// Something else, such as lifted points or rounded arithmetic: an algorithm must ask.
+    Other,
+}
+
 /// The questions about points of space. All points passed are finite.
 pub trait Kernel3 {
+    /// What the answers are about.
+    fn basis(&self) -> Basis {
+        Basis::Other
+    }
+
     /// [`orient3`](Self::orient3), with the stage that settled it.
     fn orient3_staged(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage);
 
@@ -93,6 +107,9 @@ pub fn lexicographic3(a: Point3, b: Point3) -> Ordering {
 }
 
 impl<K: Kernel3 + ?Sized> Kernel3 for &K {
+    fn basis(&self) -> Basis {
+        (**self).basis()
+    }
     #[inline(always)]
     fn orient3_staged(&self, a: Point3, b: Point3, c: Point3, d: Point3) -> (Sign, Stage) {
         (**self).orient3_staged(a, b, c, d)

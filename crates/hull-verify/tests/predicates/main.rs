@@ -7,7 +7,8 @@
 mod inputs;
 mod reference;
 
-use geometry_core::{Axis, Exact, InCircle, Kernel2, Kernel3, Lifted, Sign, Stage};
+use geometry_core::exact::{Boxed, Unit};
+use geometry_core::{Axis, Exact, InCircle, Kernel2, Kernel3, Lifted, Point2, Sign, Stage};
 use inputs::{Class, Inputs, SHARES};
 use std::fmt::Debug;
 
@@ -44,6 +45,18 @@ fn compare<const D: usize, const N: usize, A: PartialEq + Debug>(
     assert!(signs.iter().all(|&count| count > 20_000), "{signs:?}");
 }
 
+/// The kernels for the smallest box around `points`, and for a larger one, with and without their unit.
+fn boxes(points: &[Point2]) -> impl Iterator<Item = Boxed> + use<> {
+    let [width, height] = [0, 1].map(|axis| {
+        let values = || points.iter().map(|p| p[axis]);
+        values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)
+    });
+    let units = [Unit::of(points), Unit::UNKNOWN];
+    units.into_iter().flat_map(move |unit| {
+        [1.0, 16.0].map(|factor| Boxed::new(width * factor, height * factor, unit))
+    })
+}
+
 #[test]
 fn orientation() {
     compare(
@@ -55,6 +68,9 @@ fn orientation() {
         |&[a, b, c]| {
             let (sign, stage) = Exact.orient_staged(a, b, c);
             assert_eq!(Exact.orient(a, b, c), sign);
+            for kernel in boxes(&[a, b, c]) {
+                assert_eq!(kernel.orient(a, b, c), sign, "{kernel:?}");
+            }
             (sign, stage)
         },
         |&[a, b, c]| reference::cross(a, b, a, c),
@@ -90,6 +106,9 @@ fn in_circle() {
         |&[a, b, c, d]| {
             let (sign, stage) = Exact.in_circle_staged(a, b, c, d);
             assert_eq!(Exact.in_circle(a, b, c, d), sign);
+            for kernel in boxes(&[a, b, c, d]) {
+                assert_eq!(kernel.in_circle(a, b, c, d), sign, "{kernel:?}");
+            }
             (sign, stage)
         },
         reference::in_circle,

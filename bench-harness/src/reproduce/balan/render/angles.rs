@@ -3,7 +3,7 @@
 use crate::reproduce::balan::records::{AngleRow, Records};
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::sheet::Sheet;
-use crate::reproduce::stats::wilson;
+use crate::stats::wilson;
 use anyhow::Result;
 use std::collections::BTreeMap;
 

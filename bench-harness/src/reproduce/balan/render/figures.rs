@@ -1,12 +1,13 @@
 //! The figures: visibility tests, orders of insertion and evaluations of quickhull, against n.
 
-use crate::reproduce::balan::derived::{against_n, means, plane_tests, runs};
+use crate::reproduce::balan::derived::{plane_tests, runs};
 use crate::reproduce::balan::experiments::orders::{AS_GIVEN, SHUFFLED};
 use crate::reproduce::balan::published::DISTRIBUTIONS;
 use crate::reproduce::balan::records::Records;
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::plot::{Chart, PALETTE, Scale, Series, Stroke, draw};
 use crate::reproduce::render::sheet::Sheet;
+use crate::reproduce::space::growth::{against_n, means};
 use crate::reproduce::space::rows::CountRow;
 use anyhow::Result;
 

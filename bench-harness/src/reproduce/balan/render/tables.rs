@@ -13,14 +13,14 @@ use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::sheet::{Sheet, duration, fixed};
 use crate::reproduce::space::ratio::{median_time, time_ratio};
 use crate::reproduce::space::rows::CountRow;
-use crate::reproduce::stats::summary::mean;
 use crate::reproduce::verdict::ratio_text;
+use crate::stats::summary::mean;
 use anyhow::Result;
 
 const COUNTS: &str = "\
 Means over the sets of a cell, exact integers each. *Orientations* are all questions on which side of a plane a point
 lies, set-up and the merging of coplanar facets included; *plane tests* are those of the search alone, which is without
-three for each triangle at the end. *Facets made* and *dropped* are triangles. h vertices and F facets are those of the
+one for each edge at the end. *Facets made* and *dropped* are triangles. h vertices and F facets are those of the
 certified hull, coplanar triangles merged. Every result was certified first.
 
 ";

@@ -1,10 +1,10 @@
 //! B-1: what their divide and conquer costs.
 
-use super::growth::{does_not_rise, grows_as};
 use super::{Outcome, Verdict, all_of};
-use crate::reproduce::balan::derived::{against_n, at_largest, exponent, questions, runs};
+use crate::reproduce::balan::derived::{questions, runs};
 use crate::reproduce::balan::experiments::merges::{LOOKING, SORTING};
 use crate::reproduce::balan::records::{MergeRow, Records};
+use crate::reproduce::space::growth::{against_n, at_largest, does_not_rise, exponent, grows_as};
 use crate::reproduce::space::rows::CountRow;
 
 /// Where the bound should hold.

@@ -2,7 +2,7 @@
 
 use super::{Outcome, Part, Verdict, all_of};
 use crate::reproduce::balan::records::{AngleRow, Records};
-use crate::reproduce::stats::wilson;
+use crate::stats::wilson;
 
 pub(super) fn judge(records: &Records) -> Verdict {
     let rows = &records.angles;

@@ -1,9 +1,9 @@
 //! B-3: insertion without a conflict graph.
 
-use super::growth::grows_as;
 use super::{Outcome, Part, Verdict, all_of};
-use crate::reproduce::balan::derived::{against_n, at_largest, exponent, plane_tests, runs};
+use crate::reproduce::balan::derived::{plane_tests, runs};
 use crate::reproduce::balan::records::Records;
+use crate::reproduce::space::growth::{against_n, at_largest, exponent, grows_as};
 use crate::reproduce::theory::hull_size_in_space::expected;
 
 const METHOD: &str = "incremental-3d";

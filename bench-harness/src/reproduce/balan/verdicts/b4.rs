@@ -1,14 +1,12 @@
 //! B-4: insertion in random order with a conflict graph.
 
-use super::growth::is_n_log_n;
 use super::{Outcome, Part, Verdict, all_of};
-use crate::reproduce::balan::derived::{
-    against_n, at_largest, groups, plane_tests, runs, upper_decades,
-};
+use crate::reproduce::balan::derived::{plane_tests, runs};
 use crate::reproduce::balan::records::Records;
+use crate::reproduce::space::growth::{against_n, at_largest, groups, is_n_log_n, upper_decades};
 use crate::reproduce::space::rows::CountRow;
-use crate::reproduce::stats::line::{Line, fit_on_log};
-use crate::reproduce::stats::summary::{mean, standard_error};
+use crate::stats::line::{Line, fit_on_log};
+use crate::stats::summary::{mean, standard_error};
 
 const METHOD: &str = "incremental-conflict";
 

@@ -1,13 +1,13 @@
 //! B-6: what quickhull costs.
 
-use super::growth::{does_not_rise, is_n_log_n};
 use super::{Part, Verdict, all_of};
-use crate::reproduce::balan::derived::{
-    against_n, at_largest, plane_tests, range, runs, triangles, upper_decades,
-};
+use crate::reproduce::balan::derived::{plane_tests, runs, triangles};
 use crate::reproduce::balan::records::Records;
+use crate::reproduce::space::growth::{
+    against_n, at_largest, does_not_rise, is_n_log_n, range, upper_decades,
+};
 use crate::reproduce::space::rows::CountRow;
-use crate::reproduce::stats::line::{Line, fit_on_log};
+use crate::stats::line::{Line, fit_on_log};
 
 /// The paper's program.
 const METHOD: &str = "quickhull-balan";

@@ -10,7 +10,6 @@ mod b4;
 mod b5;
 mod b6;
 mod b7;
-mod growth;
 #[cfg(test)]
 mod made_up;
 pub(crate) mod predictions;

@@ -6,7 +6,7 @@ use crate::reproduce::green_silverman::records::Records;
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::plot::{Chart, PALETTE, Scale, Series, Stroke, draw};
 use crate::reproduce::render::sheet::{Sheet, duration};
-use crate::reproduce::stats::summary::{mean, median};
+use crate::stats::summary::{mean, median};
 use anyhow::Result;
 use std::collections::BTreeMap;
 

@@ -3,7 +3,7 @@
 use crate::reproduce::green_silverman::records::{PeelRow, Records};
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::sheet::Sheet;
-use crate::reproduce::stats::summary::mean;
+use crate::stats::summary::mean;
 use anyhow::Result;
 use std::collections::BTreeMap;
 

@@ -5,7 +5,7 @@ use crate::reproduce::green_silverman::records::{Records, ToleranceRow};
 use crate::reproduce::green_silverman::verdicts::{limit_from_above, limit_from_below};
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::sheet::Sheet;
-use crate::reproduce::stats::wilson;
+use crate::stats::wilson;
 use anyhow::Result;
 use std::collections::BTreeMap;
 

@@ -8,8 +8,8 @@ use crate::reproduce::green_silverman::published::{KIN, METHODS, Published};
 use crate::reproduce::green_silverman::records::{CountRow, Records};
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::sheet::{Sheet, duration, fixed};
-use crate::reproduce::stats::kendall;
 use crate::reproduce::theory::hull_size::expected;
+use crate::stats::kendall;
 use anyhow::Result;
 
 const INTRODUCTION: &str = "\

@@ -7,7 +7,7 @@ use crate::reproduce::green_silverman::derived::{
 use crate::reproduce::green_silverman::experiments::times::TWIN;
 use crate::reproduce::green_silverman::published::{METHODS, Published, cells};
 use crate::reproduce::green_silverman::records::{CountRow, Records};
-use crate::reproduce::stats::holm;
+use crate::stats::holm;
 
 /// The chance of any false "slower" or "faster" among all comparisons.
 const LEVEL: f64 = 0.05;

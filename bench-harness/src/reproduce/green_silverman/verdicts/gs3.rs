@@ -6,9 +6,9 @@ use crate::reproduce::green_silverman::derived::{
 };
 use crate::reproduce::green_silverman::published::{DISTRIBUTIONS, Published};
 use crate::reproduce::green_silverman::records::Records;
-use crate::reproduce::stats::interval::{Place, equivalence};
-use crate::reproduce::stats::line::{Line, fit_log_log, fit_on_log};
-use crate::reproduce::stats::summary::mean;
+use crate::stats::interval::{Place, equivalence};
+use crate::stats::line::{Line, fit_log_log, fit_on_log};
+use crate::stats::summary::mean;
 
 /// Area evaluations a point may change by this much a factor e in n and still count as constant.
 const SLOPE_MARGIN: f64 = 0.01;

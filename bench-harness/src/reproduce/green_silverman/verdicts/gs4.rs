@@ -4,8 +4,8 @@ use super::{Outcome, Part, Verdict, all_of, ratio_text, with_time};
 use crate::reproduce::green_silverman::derived::{count_ratio, time_ratio};
 use crate::reproduce::green_silverman::published::{DISTRIBUTIONS, Published, SIZES, cells};
 use crate::reproduce::green_silverman::records::{CountRow, Records};
-use crate::reproduce::stats::bootstrap::Bootstrapped;
-use crate::reproduce::stats::holm;
+use crate::stats::bootstrap::Bootstrapped;
+use crate::stats::holm;
 
 const LEVEL: f64 = 0.05;
 

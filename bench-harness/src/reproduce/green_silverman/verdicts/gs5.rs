@@ -3,7 +3,7 @@
 use super::{Outcome, Part, Verdict, all_of};
 use crate::reproduce::green_silverman::published::{Published, Threshold};
 use crate::reproduce::green_silverman::records::{Records, ToleranceRow};
-use crate::reproduce::stats::wilson;
+use crate::stats::wilson;
 
 /// A printed limit of random data is that of one set: it is borne out if so many sets or more have it.
 const ORDINARY: f64 = 0.05;

@@ -5,7 +5,7 @@ use crate::reproduce::green_silverman::derived::{count_ratio, time_ratio};
 use crate::reproduce::green_silverman::experiments::times::TWIN;
 use crate::reproduce::green_silverman::published::{Published, cells};
 use crate::reproduce::green_silverman::records::{CountRow, Records};
-use crate::reproduce::stats::interval::{Place, equivalence};
+use crate::stats::interval::{Place, equivalence};
 
 /// A negligible share of the time.
 const MARGIN: f64 = 0.02;

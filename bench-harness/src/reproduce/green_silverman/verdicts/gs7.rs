@@ -4,7 +4,7 @@ use super::{Outcome, Part, Verdict, all_of};
 use crate::reproduce::green_silverman::derived::range;
 use crate::reproduce::green_silverman::published::{DISTRIBUTIONS, Published};
 use crate::reproduce::green_silverman::records::{PeelRow, Records};
-use crate::reproduce::stats::line::fit_log_log;
+use crate::stats::line::fit_log_log;
 
 pub(super) fn judge(records: &Records, _: &Published) -> Verdict {
     let parts: Vec<Part> = std::iter::once(bound(records))

@@ -4,9 +4,9 @@ use super::{Outcome, Part, Verdict, all_of};
 use crate::reproduce::green_silverman::derived::{range, upper_decades};
 use crate::reproduce::green_silverman::published::Published;
 use crate::reproduce::green_silverman::records::{PeelRow, Records};
-use crate::reproduce::stats::interval::{Place, equivalence};
-use crate::reproduce::stats::line::fit_log_log;
-use crate::reproduce::stats::summary::mean;
+use crate::stats::interval::{Place, equivalence};
+use crate::stats::line::fit_log_log;
+use crate::stats::summary::mean;
 
 /// An exponent may differ from its limit by this much at finite n.
 const MARGIN: f64 = 0.02;

@@ -8,7 +8,7 @@ use crate::reproduce::green_silverman::derived::{
 use crate::reproduce::green_silverman::published::Published;
 use crate::reproduce::green_silverman::records::{CountRow, PeelRow, Records};
 use crate::reproduce::prediction::{self, Checked};
-use crate::reproduce::stats::summary::mean;
+use crate::stats::summary::mean;
 
 /// Every prediction, checked.
 pub(crate) fn check<'a>(records: &Records, published: &'a Published) -> Vec<Checked<'a>> {

@@ -7,9 +7,10 @@ use crate::reproduce::data::product;
 use crate::reproduce::nathan::definition::Definition;
 use crate::reproduce::nathan::records::{EpsilonRow, Records};
 use crate::reproduce::nathan::sets;
-use crate::reproduce::nathan::surface::is_hull;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
+use crate::reproduce::space::sets::digest;
+use crate::reproduce::space::surface::is_hull;
 use anyhow::Result;
 use geometry_core::{Exact, Hull3, Perturbed, Points, Silent};
 use gift_wrap::nathan::{NathanOptions, OwnCorners, PrintedArithmetic, study};
@@ -39,7 +40,7 @@ pub(crate) fn run(definition: &Definition, records: &mut Records) -> Result<()> 
                 };
                 Ok((set.fingerprint(), wrong, hull.err()))
             })?;
-            let digest = sets::digest(tried.iter().map(|(fingerprint, ..)| fingerprint));
+            let digest = digest(tried.iter().map(|(fingerprint, ..)| fingerprint));
             for (place, (arithmetic, own_corners)) in ARMS.into_iter().enumerate() {
                 let outcomes = || tried.iter().filter_map(|(_, wrong, _)| *wrong);
                 records.epsilon.push(EpsilonRow {

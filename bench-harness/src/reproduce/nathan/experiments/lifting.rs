@@ -10,6 +10,7 @@ use crate::reproduce::nathan::records::{GridRow, LiftRow, Records};
 use crate::reproduce::nathan::sets;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
+use crate::reproduce::space::sets::digest;
 use anyhow::Result;
 use geometry_core::{
     Axis, Exact, Hull3, InCircle, Kernel3, Lifted, Point2, Point3, Points, Triangulation,
@@ -39,7 +40,7 @@ pub(crate) fn run(definition: &Definition, records: &mut Records) -> Result<()> 
                     n,
                     offset,
                     sets: tried.len(),
-                    digest: sets::digest(tried.iter().map(|(fingerprint, _)| fingerprint)),
+                    digest: digest(tried.iter().map(|(fingerprint, _)| fingerprint)),
                     ..LiftRow::default()
                 };
                 for (_, lifted) in &tried {

@@ -7,9 +7,9 @@
 use crate::reproduce::nathan::definition::Times;
 use crate::reproduce::nathan::records::Records;
 use crate::reproduce::nathan::sets;
-use crate::reproduce::nathan::surface::is_hull;
 use crate::reproduce::space::rows::SetRow;
 use crate::reproduce::space::sets::PointSet3;
+use crate::reproduce::space::surface::is_hull;
 use anyhow::Result;
 use geometry_core::{Exact, HullError, Observer, Perturbed, Point3, Points, Silent, Step};
 use gift_wrap::nathan::{NathanOptions, NathanRun, OwnCorners, PrintedArithmetic, study};

@@ -5,6 +5,7 @@ use crate::reproduce::nathan::records::{Records, SizeRow};
 use crate::reproduce::nathan::sets;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
+use crate::reproduce::space::sets::digest;
 use anyhow::Result;
 use std::collections::BTreeMap;
 
@@ -23,7 +24,7 @@ pub(crate) fn run(definition: &Definition, records: &mut Records) -> Result<()> 
                 let set = sets::generate(definition.seed, distribution, block.n, replicate)?;
                 Ok((set.fingerprint(), super::proved("sizes", &set)?))
             })?;
-            let digest = sets::digest(measured.iter().map(|(fingerprint, _)| fingerprint));
+            let digest = digest(measured.iter().map(|(fingerprint, _)| fingerprint));
             let mut histogram: BTreeMap<usize, u64> = BTreeMap::new();
             for (_, hull) in measured {
                 match hull {

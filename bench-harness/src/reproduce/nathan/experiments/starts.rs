@@ -9,6 +9,7 @@ use crate::reproduce::nathan::records::{Records, StartRow};
 use crate::reproduce::nathan::sets;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
+use crate::reproduce::space::sets::digest;
 use anyhow::Result;
 use geometry_core::{Exact, Perturbed, Points, Silent};
 use gift_wrap::nathan::{Ending, NathanOptions, Start, study};
@@ -35,7 +36,7 @@ pub(crate) fn run(definition: &Definition, records: &mut Records) -> Result<()> 
                 let off_hull = STARTS.map(|(_, start)| is_off_hull(points, start));
                 Ok((set.fingerprint(), off_hull))
             })?;
-            let digest = sets::digest(tried.iter().map(|(fingerprint, _)| fingerprint));
+            let digest = digest(tried.iter().map(|(fingerprint, _)| fingerprint));
             for (place, (name, _)) in STARTS.iter().enumerate() {
                 records.starts.push(StartRow {
                     distribution: distribution.clone(),

@@ -11,7 +11,7 @@ pub(crate) mod wraps;
 
 /// `part` of `whole` in percent, with one decimal and its 95 % interval.
 fn percent(part: usize, whole: usize) -> String {
-    let (low, high) = crate::reproduce::stats::wilson::interval(part, whole);
+    let (low, high) = crate::stats::wilson::interval(part, whole);
     let share = part as f64 / whole.max(1) as f64;
     format!(
         "{:.1} [{:.1}, {:.1}]",

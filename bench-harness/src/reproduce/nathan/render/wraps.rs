@@ -4,7 +4,7 @@ use crate::reproduce::nathan::records::{Records, WrapRow};
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::plot::{Chart, PALETTE, Scale, Series, Stroke, draw};
 use crate::reproduce::render::sheet::Sheet;
-use crate::reproduce::stats::summary::mean;
+use crate::stats::summary::mean;
 use anyhow::Result;
 use std::collections::BTreeMap;
 

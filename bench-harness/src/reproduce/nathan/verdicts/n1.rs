@@ -2,9 +2,9 @@
 
 use super::{Outcome, Part, Verdict, distributions, verdict, wraps};
 use crate::reproduce::nathan::records::{Records, WrapRow};
-use crate::reproduce::stats::interval::{Place, equivalence};
-use crate::reproduce::stats::line::{Line, fit_on_log};
-use crate::reproduce::stats::summary::mean;
+use crate::stats::interval::{Place, equivalence};
+use crate::stats::line::{Line, fit_on_log};
+use crate::stats::summary::mean;
 
 /// From here on the number of searches is three a vertex, up to a tenth.
 const FROM: usize = 64;

@@ -2,8 +2,8 @@
 
 use super::{Outcome, Part, Verdict, distributions, verdict, wraps};
 use crate::reproduce::nathan::records::{Records, WrapRow};
-use crate::reproduce::stats::line::fit_log_log;
-use crate::reproduce::stats::summary::mean;
+use crate::stats::line::fit_log_log;
+use crate::stats::summary::mean;
 
 /// An exponent up to this is one that does not exceed 1.
 const LARGEST: f64 = 1.05;

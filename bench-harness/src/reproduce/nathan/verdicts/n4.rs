@@ -2,7 +2,7 @@
 
 use super::{Part, Verdict, always, verdict};
 use crate::reproduce::nathan::records::{Records, StartRow};
-use crate::reproduce::stats::wilson;
+use crate::stats::wilson;
 
 pub(super) fn judge(records: &Records) -> Verdict {
     let parts = ["furthest", "nearest"].map(|start| part(records, start));

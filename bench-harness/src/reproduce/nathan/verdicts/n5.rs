@@ -2,7 +2,7 @@
 
 use super::{Outcome, Part, Verdict, always, distinct, verdict};
 use crate::reproduce::nathan::records::{EpsilonRow, Records};
-use crate::reproduce::stats::wilson;
+use crate::stats::wilson;
 
 const SCALED: &str =
     "the epsilon is scaled to the geometry: failures do not depend on where the origin is";

@@ -4,8 +4,8 @@ use super::{Outcome, Part, Verdict, verdict};
 use crate::reproduce::nathan::experiments::times::{TWIN, arm};
 use crate::reproduce::nathan::records::Records;
 use crate::reproduce::space::ratio::time_ratio;
-use crate::reproduce::stats::interval::{Place, equivalence};
 use crate::reproduce::verdict::ratio_text;
+use crate::stats::interval::{Place, equivalence};
 use gift_wrap::nathan::OwnCorners;
 
 /// A share of the time that makes no difference.

@@ -2,7 +2,7 @@
 
 use super::{Outcome, Part, Verdict, always, verdict};
 use crate::reproduce::nathan::records::{LiftRow, Records};
-use crate::reproduce::stats::wilson;
+use crate::stats::wilson;
 
 pub(super) fn judge(records: &Records) -> Verdict {
     let near = |row: &&LiftRow| row.offset.abs() <= 1.0;

@@ -1,0 +1,167 @@
+//! Whether triangles cut up the facets of a proved hull.
+//!
+//! Most programs give a spatial hull as triangles and leave coplanar ones unmerged. Such a claim needs no arithmetic once
+//! the hull itself is proved:
+//!
+//! 1. Every triangle has its corners in one facet, in the cyclic order of the facet. Facets are strictly convex, so it
+//!    lies in the facet and faces outwards.
+//! 2. No edge occurs twice in the same direction, and every edge occurs in the other direction too.
+//!
+//! An edge that is a diagonal of a facet can only be an edge of triangles of that facet. So by 2 the triangles of one
+//! facet have a boundary made of edges of the facet, each at most once; facing one way, they cover the facet once or
+//! there are none of them. If there were none, an edge of a neighbour would have no other direction. So every facet is
+//! covered once.
+
+use geometry_core::Hull3;
+use std::collections::{HashMap, HashSet};
+
+/// Checks that `triangles` cut up the facets of `hull`, a hull that is proved.
+///
+/// # Errors
+///
+/// What is wrong, in words.
+///
+/// # Cost
+///
+/// O(m) expected for m corners in all, unless many triangles have three corners of high degree.
+///
+/// ```
+/// use bench_harness::engine::cut::cuts_up;
+/// let cube: Vec<[f64; 3]> = (0..8).map(|i| [i & 1, i >> 1 & 1, i >> 2].map(f64::from)).collect();
+/// let hull = hullkit::convex_hull_3d(&cube)?;
+/// let mut triangles: Vec<[u32; 3]> = hull.triangles().collect();
+/// assert_eq!(cuts_up(&triangles, &hull), Ok(()));
+/// triangles.pop();
+/// assert!(cuts_up(&triangles, &hull).is_err());
+/// # Ok::<(), hullkit::HullError>(())
+/// ```
+pub fn cuts_up(triangles: &[[u32; 3]], hull: &Hull3) -> Result<(), String> {
+    let facets = Facets::of(hull);
+    let mut edges = HashSet::with_capacity(3 * triangles.len());
+    for &[a, b, c] in triangles {
+        facets.find([a, b, c])?;
+        for edge in [(a, b), (b, c), (c, a)] {
+            if !edges.insert(edge) {
+                return Err(format!(
+                    "two triangles have the edge from {} to {}",
+                    edge.0, edge.1
+                ));
+            }
+        }
+    }
+    match edges.iter().find(|(a, b)| !edges.contains(&(*b, *a))) {
+        Some((a, b)) => Err(format!(
+            "one triangle only has the edge between {a} and {b}"
+        )),
+        None if triangles.is_empty() && hull.dimension() == Some(3) => Err("no triangles".into()),
+        None => Ok(()),
+    }
+}
+
+/// Where each vertex is on which facets.
+struct Facets {
+    /// For each vertex the facets it is on, and its place there.
+    places: HashMap<u32, Vec<(usize, usize)>>,
+}
+
+impl Facets {
+    fn of(hull: &Hull3) -> Self {
+        let mut places: HashMap<u32, Vec<(usize, usize)>> = HashMap::with_capacity(hull.len());
+        for (facet, corners) in hull.facets().enumerate() {
+            for (place, &corner) in corners.iter().enumerate() {
+                places.entry(corner).or_default().push((facet, place));
+            }
+        }
+        Self { places }
+    }
+
+    /// Finds the facet that `triangle` is on, facing the same way.
+    fn find(&self, triangle: [u32; 3]) -> Result<usize, String> {
+        let mut corners = [(0, &[][..]); 3];
+        for (corner, id) in corners.iter_mut().zip(triangle) {
+            let places = self.places.get(&id);
+            *corner = (
+                id,
+                places.ok_or_else(|| format!("corner {id} is no vertex of the hull"))?,
+            );
+        }
+        // Fewest facets first.
+        let first = (0..3).min_by_key(|&i| corners[i].1.len()).unwrap_or(0);
+        corners.rotate_left(first);
+        let [(_, of_a), (_, of_b), (_, of_c)] = corners;
+        let place_on = |places: &[(usize, usize)], facet| {
+            let found = places.binary_search_by_key(&facet, |(facet, _)| *facet);
+            found.ok().map(|index| places[index].1)
+        };
+        let faces_out =
+            |(facet, a): &&(usize, usize)| match (place_on(of_b, *facet), place_on(of_c, *facet)) {
+                // In cyclic order two of three steps go up; otherwise one.
+                (Some(b), Some(c)) => [*a < b, b < c, c < *a].iter().filter(|up| **up).count() == 2,
+                _ => false,
+            };
+        let facet = of_a.iter().find(faces_out);
+        facet.map(|(facet, _)| *facet).ok_or_else(|| {
+            let [a, b, c] = triangle;
+            format!("triangle {a} {b} {c} is on no facet of the hull")
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A cube, its facets cut from their first corners.
+    fn cube() -> (Hull3, Vec<[u32; 3]>) {
+        let corner = |i: u32| [i & 1, i >> 1 & 1, i >> 2].map(f64::from);
+        let points: Vec<[f64; 3]> = (0..8).map(corner).chain([[0.5, 0.5, 0.0]]).collect();
+        let hull = hullkit::convex_hull_3d(&points).unwrap();
+        let triangles = hull.triangles().collect();
+        (hull, triangles)
+    }
+
+    #[track_caller]
+    fn assert_flaw(change: impl FnOnce(&mut Vec<[u32; 3]>), flaw: &str) {
+        let (hull, mut triangles) = cube();
+        change(&mut triangles);
+        let found = cuts_up(&triangles, &hull).unwrap_err();
+        assert!(found.contains(flaw), "{found}");
+    }
+
+    #[test]
+    fn any_way_to_cut_is_right() {
+        let (hull, mut triangles) = cube();
+        assert_eq!(cuts_up(&triangles, &hull), Ok(()));
+        // The other diagonal of the first facet.
+        let facet: Vec<u32> = hull.facets().next().unwrap().to_vec();
+        triangles.splice(
+            0..2,
+            [
+                [facet[0], facet[1], facet[3]],
+                [facet[1], facet[2], facet[3]],
+            ],
+        );
+        triangles[5].rotate_left(1);
+        assert_eq!(cuts_up(&triangles, &hull), Ok(()));
+    }
+
+    #[test]
+    fn flaws_are_found() {
+        assert_flaw(|t| t[3].swap(0, 1), "on no facet");
+        assert_flaw(|t| t.truncate(11), "one triangle only");
+        assert_flaw(|t| t.push(t[0]), "two triangles");
+        assert_flaw(|t| t[0][0] = 8, "no vertex");
+        assert_flaw(|t| t[0] = [0, 3, 7], "on no facet");
+        assert_flaw(Vec::clear, "no triangles");
+    }
+
+    #[test]
+    fn a_facet_that_is_not_covered_is_found() {
+        let (hull, triangles) = cube();
+        let facet: Vec<u32> = hull.facets().next().unwrap().to_vec();
+        let elsewhere = |t: &&[u32; 3]| !t.iter().all(|corner| facet.contains(corner));
+        let triangles: Vec<[u32; 3]> = triangles.iter().filter(elsewhere).copied().collect();
+        assert_eq!(triangles.len(), 10);
+        assert!(cuts_up(&triangles, &hull).is_err());
+    }
+}

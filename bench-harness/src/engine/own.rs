@@ -1,0 +1,216 @@
+//! Our registered methods as engines.
+//!
+//! What is timed is what a user pays for `hullkit::convex_hull_2d(&points)` and its like: the check that every
+//! coordinate is finite, [`Points::new`], then the `exact` instance of the method; a slice in, the canonical value out.
+//! Counts come from the `tallied` instance, in a run of their own, and are summed over the sets.
+
+use super::answer::Answer;
+use super::meter::{Peak, clock_resolution};
+use super::protocol::{Counters, Load, PROTOCOL, Problem, Receipt, Run};
+use super::server::Engine;
+use crate::counting::counters;
+use geometry_core::{
+    Boundary, Counted, Exact, HullError, Method, Point2, Point3, Points, Tally, Task,
+};
+use std::collections::BTreeMap;
+use std::hint::black_box;
+use std::time::Instant;
+
+/// A registered method that answers the protocol.
+#[derive(Debug)]
+pub struct Own {
+    method: &'static Method,
+    problem: Problem,
+    batch: Option<Batch>,
+    /// The last result of each set; empty before the first run.
+    answers: Vec<Answer>,
+    /// The rise of memory in the first run of all.
+    peak: Option<Option<u64>>,
+}
+
+/// The sets loaded.
+#[derive(Debug)]
+enum Batch {
+    Plane(Vec<Vec<Point2>>, Boundary),
+    Space(Vec<Vec<Point3>>),
+}
+
+impl Own {
+    /// `method` as an engine; `None` for a kind of method that the protocol has no word for.
+    pub fn new(method: &'static Method) -> Option<Self> {
+        Some(Self {
+            method,
+            problem: Problem::of(method)?,
+            batch: None,
+            answers: Vec::new(),
+            peak: None,
+        })
+    }
+
+    fn batch(&self) -> Result<&Batch, String> {
+        let batch = self.batch.as_ref();
+        batch.ok_or_else(|| "no points were loaded".to_owned())
+    }
+
+    /// Takes samples of the method on the sets loaded; the clock sees all of a call, the check of the points included.
+    fn sample(&self, run: &Run) -> Result<(Vec<u64>, Vec<Answer>), String> {
+        match (self.method.task, self.batch()?) {
+            (Task::PlanarHull(task), Batch::Plane(sets, boundary)) => {
+                sample(run, sets, |set| (task.exact)(Points::new(set)?, *boundary))
+            }
+            (Task::PlanarLayers(task), Batch::Plane(sets, boundary)) => {
+                sample(run, sets, |set| (task.exact)(Points::new(set)?, *boundary))
+            }
+            (Task::Delaunay(task), Batch::Plane(sets, _)) => {
+                sample(run, sets, |set| (task.exact)(Points::new(set)?))
+            }
+            (Task::SpatialHull(task), Batch::Space(sets)) => {
+                sample(run, sets, |set| (task.exact)(Points::new(set)?))
+            }
+            _ => Err("no such run".into()),
+        }
+    }
+
+    /// Runs the method once more on each set with every question and every step counted.
+    fn count(&self) -> Result<BTreeMap<String, u64>, String> {
+        match (self.method.task, self.batch()?) {
+            (Task::PlanarHull(task), Batch::Plane(sets, boundary)) => {
+                count(sets, |points, kernel, tally| {
+                    (task.tallied)(points, *boundary, kernel, tally).map(drop)
+                })
+            }
+            (Task::PlanarLayers(task), Batch::Plane(sets, boundary)) => {
+                count(sets, |points, kernel, tally| {
+                    (task.tallied)(points, *boundary, kernel, tally).map(drop)
+                })
+            }
+            (Task::SpatialHull(task), Batch::Space(sets)) => {
+                count(sets, |points, kernel, tally| {
+                    (task.tallied)(points, kernel, tally).map(drop)
+                })
+            }
+            // A triangulation has no counted instance.
+            _ => Ok(BTreeMap::new()),
+        }
+    }
+}
+
+impl Engine for Own {
+    fn receipt(&self) -> Receipt {
+        Receipt {
+            protocol: PROTOCOL,
+            engine: self.method.slug.to_owned(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            clock_ns: clock_resolution(),
+            tasks: vec![self.problem],
+            build: String::new(),
+        }
+    }
+
+    fn load(&mut self, load: &Load, coordinates: Vec<f64>) -> Result<(), String> {
+        self.batch = None;
+        self.answers.clear();
+        if load.task != self.problem {
+            return Err(format!("{} computes {}", self.method.slug, self.problem));
+        }
+        self.batch = Some(match load.dimension {
+            2 => Batch::Plane(cut(load, &coordinates)?, load.boundary.into()),
+            _ => {
+                if Boundary::from(load.boundary) == Boundary::All {
+                    return Err("in space only extreme points are vertices".into());
+                }
+                Batch::Space(cut(load, &coordinates)?)
+            }
+        });
+        Ok(())
+    }
+
+    fn run(&mut self, run: &Run) -> Result<Vec<u64>, String> {
+        let (nanoseconds, answers) = if self.peak.is_some() {
+            self.sample(run)?
+        } else {
+            let peak = Peak::begin();
+            let sampled = self.sample(run)?;
+            self.peak = Some(peak.and_then(|peak| peak.bytes()));
+            sampled
+        };
+        self.answers = answers;
+        Ok(nanoseconds)
+    }
+
+    fn hull(&mut self, set: u32) -> Result<Answer, String> {
+        if self.answers.is_empty() {
+            return Err("nothing was run".to_owned());
+        }
+        let answer = self.answers.get(set as usize);
+        let no_such = || format!("there is no set {set} of {}", self.answers.len());
+        answer.cloned().ok_or_else(no_such)
+    }
+
+    fn counters(&mut self) -> Result<Counters, String> {
+        let mut counters = self.count()?;
+        if let Some(bytes) = self.peak.flatten() {
+            counters.insert("peak_bytes".to_owned(), bytes);
+        }
+        Ok(Counters { counters })
+    }
+}
+
+/// Samples of `call`, and its last result for each set. A call frees the result of the call for the same set in the
+/// pass before; the results of the last pass are freed when the clock stands.
+fn sample<S, T>(
+    run: &Run,
+    sets: &[S],
+    call: impl Fn(&S) -> Result<T, HullError>,
+) -> Result<(Vec<u64>, Vec<Answer>), String>
+where
+    for<'a> Answer: From<&'a T>,
+{
+    let mut nanoseconds = Vec::with_capacity(run.samples.get() as usize);
+    let mut last: Vec<Option<T>> = sets.iter().map(|_| None).collect();
+    for _ in 0..run.samples.get() {
+        last.fill_with(|| None);
+        let start = Instant::now();
+        for _ in 0..run.inner.get() {
+            for (set, last) in sets.iter().zip(&mut last) {
+                *last = Some(black_box(call(set).map_err(refusal)?));
+            }
+        }
+        nanoseconds.push(start.elapsed().as_nanos() as u64);
+    }
+    let answers = last.iter().flatten().map(Answer::from).collect();
+    Ok((nanoseconds, answers))
+}
+
+/// What `call` asks and does, summed over the sets.
+fn count<const D: usize>(
+    sets: &[Vec<[f64; D]>],
+    call: impl Fn(Points<'_, D>, &Counted<Exact>, &mut Tally) -> Result<(), HullError>,
+) -> Result<BTreeMap<String, u64>, String> {
+    let mut sums = BTreeMap::new();
+    for set in sets {
+        let (kernel, mut tally) = (Counted::new(Exact), Tally::default());
+        call(Points::new(set).map_err(refusal)?, &kernel, &mut tally).map_err(refusal)?;
+        for (name, count) in counters(&kernel.counts(), &tally) {
+            *sums.entry(name.to_owned()).or_default() += count;
+        }
+    }
+    Ok(sums)
+}
+
+/// The sets of `load`, each of finite points in memory of its own.
+fn cut<const D: usize>(load: &Load, coordinates: &[f64]) -> Result<Vec<Vec<[f64; D]>>, String> {
+    let mut rest = coordinates;
+    let sets = (0..load.sets.get()).map(|_| {
+        let (set, after) = rest.split_at(load.coordinates().min(rest.len()));
+        rest = after;
+        let points = set.as_chunks().0.to_vec();
+        Points::<D>::new(&points).map_err(refusal)?;
+        Ok(points)
+    });
+    sets.collect()
+}
+
+fn refusal(error: HullError) -> String {
+    error.to_string()
+}

@@ -1,0 +1,246 @@
+//! One stop: every engine is judged, those that are certified are timed in turn, then counted.
+
+use super::Depth;
+use super::judge::{Judgement, Reference};
+use super::ledger::Ledger;
+use super::plan::Stop;
+use super::realisation::Realisation;
+use super::roster::Roster;
+use crate::definition::Measure;
+use crate::engine::client::Session;
+use crate::engine::fault::Fault;
+use crate::engine::protocol::{Convention, Run};
+use crate::records::rows::twin_of;
+use crate::records::{Cell, Count, Outcome, Sample, Subject};
+use anyhow::Result;
+use rand::SeedableRng;
+use rand::seq::SliceRandom;
+use rand_chacha::ChaCha8Rng;
+use std::num::{NonZeroU32, NonZeroU64};
+use std::time::Duration;
+
+/// A sample lasts at least this long, so that the clock's grain does not show.
+const SHORTEST: Duration = Duration::from_millis(2);
+
+/// How long an engine may take to start and to end.
+const POLITE: Duration = Duration::from_secs(20);
+
+/// An engine that has been certified here.
+struct Contestant {
+    subject: Subject,
+    session: Session,
+    /// Passes over the sets that make a sample long enough.
+    passes: NonZeroU32,
+}
+
+/// Visits `stop`; what is recorded already is not done again.
+pub(super) fn visit(
+    stop: &Stop<'_>,
+    depth: Depth,
+    roster: &Roster,
+    ledger: &mut Ledger,
+) -> Result<()> {
+    let wants = |measure| depth == Depth::Measure && stop.block.measure.contains(&measure);
+    let rounds = if wants(Measure::Time) {
+        stop.block.rounds
+    } else {
+        0
+    };
+    let open = stop
+        .engines
+        .iter()
+        .filter(|engine| !ledger.is_done(&subject(stop, engine), rounds, wants(Measure::Counts)));
+    let open: Vec<&String> = open.collect();
+    if open.is_empty() {
+        return Ok(());
+    }
+    let realisation = Realisation::generate(stop)?;
+    let mut reference = Reference::new(stop.definition.problem);
+    let mut contestants = Vec::new();
+    for engine in open {
+        let subject = subject(stop, engine);
+        let entered = match ledger.given_up(&subject) {
+            Some(finding) => Err((Outcome::Timeout, finding)),
+            None => enter(stop, &subject, &realisation, &mut reference, roster, ledger),
+        };
+        let cell = match entered {
+            Ok((contestant, judgement)) => {
+                let cell = cell(&subject, &realisation, judgement);
+                if cell.outcome == Outcome::Certified {
+                    contestants.push(contestant);
+                }
+                cell
+            }
+            Err((outcome, finding)) => cell(
+                &subject,
+                &realisation,
+                Judgement::without_answer(outcome, finding),
+            ),
+        };
+        ledger.cell(cell)?;
+    }
+    time(stop, &realisation, rounds, &mut contestants, ledger)?;
+    if wants(Measure::Counts) {
+        count(stop, &mut contestants, ledger)?;
+    }
+    for contestant in contestants {
+        contestant.session.quit(POLITE);
+    }
+    Ok(())
+}
+
+fn subject(stop: &Stop<'_>, engine: &str) -> Subject {
+    Subject {
+        case: stop.case(),
+        seed: stop.seed(),
+        engine: engine.to_owned(),
+    }
+}
+
+fn limit(stop: &Stop<'_>) -> Duration {
+    Duration::from_secs(stop.block.timeout_seconds)
+}
+
+fn cell(subject: &Subject, realisation: &Realisation, judgement: Judgement) -> Cell {
+    Cell {
+        subject: subject.clone(),
+        fingerprint: realisation.fingerprint.clone(),
+        outcome: judgement.outcome,
+        h: judgement.h,
+        facets: judgement.facets,
+        finding: judgement.finding,
+    }
+}
+
+/// Starts an engine, hands it the points, runs it once and judges what it says of every set.
+fn enter(
+    stop: &Stop<'_>,
+    subject: &Subject,
+    realisation: &Realisation,
+    reference: &mut Reference,
+    roster: &Roster,
+    ledger: &mut Ledger,
+) -> Result<(Contestant, Judgement), (Outcome, String)> {
+    let mut tried = || -> Result<(Session, Judgement, Duration), Fault> {
+        let mut session = Session::start(&roster.launch(&subject.engine)?, POLITE)?;
+        ledger.met(&subject.engine, session.receipt());
+        let (problem, sets) = (stop.definition.problem, &realisation.sets);
+        session.load_sets(problem, Convention::Extreme, sets, limit(stop))?;
+        let timed = session.run(Run::ONCE, limit(stop))?;
+        if let Some(about) = roster.yardstick(&subject.engine) {
+            return Ok((session, Judgement::yardstick(about), timed.elapsed));
+        }
+        let mut judgements = Vec::new();
+        for (number, set) in (0..).zip(sets) {
+            let answer = session.hull_of(number, limit(stop))?;
+            judgements.push(reference.judge(number as usize, set, &answer));
+        }
+        Ok((session, Judgement::of_all(judgements), timed.elapsed))
+    };
+    let (session, judgement, once) =
+        tried().map_err(|fault| (outcome(&fault), fault.to_string()))?;
+    let passes = SHORTEST.as_nanos().div_ceil(once.as_nanos().max(1));
+    let passes = u32::try_from(passes).ok().and_then(NonZeroU32::new);
+    let contestant = Contestant {
+        subject: subject.clone(),
+        session,
+        passes: passes.unwrap_or(NonZeroU32::MIN),
+    };
+    Ok((contestant, judgement))
+}
+
+fn outcome(fault: &Fault) -> Outcome {
+    match fault {
+        Fault::Refused { .. } => Outcome::Refused,
+        Fault::Timeout { .. } => Outcome::Timeout,
+        Fault::Crashed { .. } => Outcome::Crashed,
+        Fault::Garbled { .. } => Outcome::Garbled,
+        Fault::Absent { .. } => Outcome::Absent,
+    }
+}
+
+/// One sample of every contestant a round, in an order shuffled anew. The first, not recorded, is to warm up and to
+/// learn how many passes last long enough; who fails on the way is heard no more.
+fn time(
+    stop: &Stop<'_>,
+    realisation: &Realisation,
+    rounds: u32,
+    contestants: &mut Vec<Contestant>,
+    ledger: &mut Ledger,
+) -> Result<()> {
+    if rounds == 0 {
+        return Ok(());
+    }
+    contestants.retain_mut(|contestant| match sample(stop, contestant) {
+        Ok(nanoseconds) => {
+            let wanted = SHORTEST.as_nanos() as u64 * u64::from(contestant.passes.get());
+            let passes = wanted
+                .div_ceil(nanoseconds.max(1))
+                .clamp(1, u64::from(u32::MAX)) as u32;
+            contestant.passes = NonZeroU32::new(passes).unwrap_or(NonZeroU32::MIN);
+            true
+        }
+        Err(fault) => {
+            ledger.failed_late(&contestant.subject, &fault);
+            false
+        }
+    });
+    let mut random = ChaCha8Rng::seed_from_u64(stop.seed());
+    for round in 0..rounds {
+        contestants.shuffle(&mut random);
+        let mut failed = Vec::new();
+        for contestant in contestants.iter_mut() {
+            if ledger.has_round(&contestant.subject, round) {
+                continue;
+            }
+            match sample(stop, contestant) {
+                Ok(nanoseconds) => {
+                    let sets = realisation.sets.len() as u64;
+                    let calls = u64::from(contestant.passes.get()) * sets;
+                    ledger.sample(Sample {
+                        subject: contestant.subject.clone(),
+                        round,
+                        inner: NonZeroU64::new(calls).unwrap_or(NonZeroU64::MIN),
+                        nanoseconds,
+                    })?;
+                }
+                Err(fault) => {
+                    ledger.failed_late(&contestant.subject, &fault);
+                    failed.push(contestant.subject.clone());
+                }
+            }
+        }
+        contestants.retain(|contestant| !failed.contains(&contestant.subject));
+    }
+    Ok(())
+}
+
+fn sample(stop: &Stop<'_>, contestant: &mut Contestant) -> Result<u64, Fault> {
+    let run = Run {
+        samples: NonZeroU32::MIN,
+        inner: contestant.passes,
+    };
+    let timed = contestant.session.run(run, limit(stop))?;
+    Ok(timed.nanoseconds.iter().sum())
+}
+
+/// Exact integers, in runs of their own. A twin counts what its engine does.
+fn count(stop: &Stop<'_>, contestants: &mut [Contestant], ledger: &mut Ledger) -> Result<()> {
+    for contestant in contestants {
+        if twin_of(&contestant.subject.engine).is_some() || ledger.is_counted(&contestant.subject) {
+            continue;
+        }
+        match contestant.session.counters(limit(stop)) {
+            Ok(counters) => {
+                let rows = counters.into_iter().map(|(counter, value)| Count {
+                    subject: contestant.subject.clone(),
+                    counter,
+                    value,
+                });
+                ledger.counts(&contestant.subject, rows.collect())?;
+            }
+            Err(fault) => ledger.failed_late(&contestant.subject, &fault),
+        }
+    }
+    Ok(())
+}

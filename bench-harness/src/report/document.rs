@@ -1,0 +1,210 @@
+//! What a report consists of.
+
+use crate::output::page;
+use crate::output::sheet::Sheet;
+use serde::Serialize;
+
+/// A report.
+#[derive(Clone, Debug, Serialize)]
+pub struct Document {
+    /// Its title.
+    pub title: String,
+    /// What it is, in a paragraph.
+    pub lead: String,
+    /// Its sections, in order.
+    pub sections: Vec<Section>,
+}
+
+/// A section.
+#[derive(Clone, Debug, Serialize)]
+pub struct Section {
+    /// Its name in links.
+    pub id: String,
+    /// Its heading.
+    pub heading: String,
+    /// The commands that give what is in it.
+    pub commands: Vec<String>,
+    /// What is in it.
+    pub parts: Vec<Part>,
+}
+
+/// A piece of a section.
+#[derive(Clone, Debug, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum Part {
+    /// A heading below the section's.
+    Heading {
+        /// What it says.
+        text: String,
+    },
+    /// A paragraph.
+    Text {
+        /// What it says.
+        text: String,
+    },
+    /// Short notes.
+    Notes {
+        /// A line each.
+        items: Vec<String>,
+    },
+    /// A table.
+    Table(Table),
+    /// A drawing.
+    Figure {
+        /// SVG.
+        svg: String,
+        /// What it shows.
+        caption: String,
+    },
+    /// A link to a file beside the report.
+    Link {
+        /// Where to.
+        href: String,
+        /// What it says.
+        text: String,
+    },
+    /// Details that are shown on demand, and in print.
+    Fold {
+        /// What is always shown.
+        summary: String,
+        /// The details.
+        parts: Vec<Part>,
+    },
+}
+
+/// A table whose first column names the rows.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Table {
+    /// What it shows.
+    pub caption: String,
+    /// The names of its columns.
+    pub columns: Vec<String>,
+    /// Its rows.
+    pub rows: Vec<Vec<Entry>>,
+}
+
+/// A cell of a table.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Entry {
+    /// What it says.
+    pub text: String,
+    /// The best of its row.
+    pub strong: bool,
+    /// Set to the right: it begins as a number does.
+    pub number: bool,
+    /// An engine that did not come to an answer that is right.
+    pub failed: bool,
+}
+
+impl Part {
+    /// A paragraph.
+    pub fn text(text: impl Into<String>) -> Self {
+        Part::Text { text: text.into() }
+    }
+
+    /// A heading.
+    pub fn heading(text: impl Into<String>) -> Self {
+        Part::Heading { text: text.into() }
+    }
+}
+
+impl Entry {
+    /// A cell that says `text`; between two pairs of stars it is the best of its row.
+    pub fn new(text: &str) -> Self {
+        let bold = text
+            .strip_prefix("**")
+            .and_then(|rest| rest.strip_suffix("**"));
+        let plain = bold.unwrap_or(text).replace("\\|", "|");
+        let begins = plain.trim_start_matches(['-', '+', '−']).chars().next();
+        Self {
+            number: begins.is_some_and(|first| first.is_ascii_digit()),
+            strong: bold.is_some(),
+            failed: false,
+            text: plain,
+        }
+    }
+
+    /// An engine that failed.
+    pub fn failed(text: String) -> Self {
+        Self {
+            text,
+            strong: false,
+            number: false,
+            failed: true,
+        }
+    }
+}
+
+impl Table {
+    /// A table with these columns and no rows.
+    pub fn new(caption: impl Into<String>, columns: &[&str]) -> Self {
+        Self {
+            caption: caption.into(),
+            columns: columns.iter().map(|column| (*column).to_owned()).collect(),
+            rows: Vec::new(),
+        }
+    }
+
+    /// Adds a row of texts.
+    pub fn push(&mut self, texts: &[&str]) {
+        self.rows
+            .push(texts.iter().map(|text| Entry::new(text)).collect());
+    }
+
+    /// `sheet`, as it is.
+    pub fn of(caption: impl Into<String>, sheet: &Sheet) -> Self {
+        let entries = |row: &Vec<String>| row.iter().map(|text| Entry::new(text)).collect();
+        Self {
+            caption: caption.into(),
+            columns: sheet.columns().to_vec(),
+            rows: sheet.rows().iter().map(entries).collect(),
+        }
+    }
+
+    /// The table without columns that say nothing.
+    #[must_use]
+    pub fn without_empty_columns(mut self) -> Self {
+        let says = |column: usize| self.rows.iter().any(|row| !row[column].text.is_empty());
+        let kept: Vec<bool> = (0..self.columns.len())
+            .map(|column| column == 0 || says(column))
+            .collect();
+        let keep = |place: &mut usize| {
+            *place += 1;
+            kept[*place - 1]
+        };
+        let mut place = 0;
+        self.columns.retain(|_| keep(&mut place));
+        for row in &mut self.rows {
+            let mut place = 0;
+            row.retain(|_| keep(&mut place));
+        }
+        self
+    }
+
+    /// As Markdown.
+    pub fn markdown(&self) -> String {
+        let columns: Vec<&str> = self.columns.iter().map(String::as_str).collect();
+        let mut sheet = Sheet::new(&columns);
+        for row in &self.rows {
+            let shown = |entry: &Entry| match entry.strong {
+                true => format!("**{}**", entry.text),
+                false => entry.text.clone(),
+            };
+            sheet.push(row.iter().map(shown).collect());
+        }
+        sheet.markdown()
+    }
+}
+
+/// A section of an answer: its table, headed as there, and its notes.
+pub fn answer(section: &page::Section) -> Vec<Part> {
+    let mut parts = Vec::new();
+    if !section.sheet.is_empty() {
+        parts.push(Part::Table(Table::of(&section.heading, &section.sheet)));
+    }
+    if !section.notes.is_empty() {
+        let items = section.notes.clone();
+        parts.push(Part::Notes { items });
+    }
+    parts
+}

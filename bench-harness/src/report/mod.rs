@@ -1,0 +1,101 @@
+//! A recorded run as one HTML file that needs nothing else: no script, no font, no network.
+//!
+//! ```text
+//! run, texts of its definitions, reports of papers  ->  Document  ->  HTML
+//! ```
+//!
+//! What stands in it is what the commands on recorded runs answer, and each section names the command. The numbers come
+//! from [`crate::analysis`]; here they are only set out.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`document`] | what a report consists of: sections, tables, figures |
+//! | [`asked`] | the questions of the run's definitions, and who was left out |
+//! | [`papers`] | the verdicts on the papers, from a folder of reports |
+//! | [`matrix`] | a row a case, a column an engine |
+//! | `sections` | the sections, a file each |
+//! | [`picture`] | drawings that suit light and dark |
+//! | [`html`] | the document as HTML |
+//! | [`splice`] | the tables between marks of a Markdown file |
+
+pub mod asked;
+pub mod document;
+pub mod html;
+pub mod matrix;
+pub mod papers;
+pub mod picture;
+mod sections;
+pub mod splice;
+
+use crate::records::Run;
+use anyhow::Result;
+use asked::Asked;
+use document::Document;
+use papers::Paper;
+
+/// What goes into a report.
+#[derive(Clone, Copy, Debug)]
+pub struct Material<'a> {
+    /// The run.
+    pub run: &'a Run,
+    /// The definitions whose texts lie with it.
+    pub asked: &'a [Asked],
+    /// The papers that were reproduced.
+    pub papers: &'a [Paper],
+    /// The counts to show.
+    pub counters: &'a [String],
+    /// The engine that the others are compared with; the fastest of each case if there is none.
+    pub baseline: Option<&'a str>,
+}
+
+/// The report. A pure function: the same material gives the same document.
+///
+/// # Errors
+///
+/// A fault of a drawing.
+pub fn document(material: &Material<'_>) -> Result<Document> {
+    let sections = [
+        Some(sections::overview::section(material)),
+        sections::verdicts::section(material),
+        sections::side_by_side::section(material),
+        sections::ranking::section(material),
+        sections::failures::section(material),
+        sections::ratios::section(material)?,
+        sections::growth::time(material)?,
+        sections::growth::counts(material)?,
+        sections::memory::section(material),
+        Some(sections::machine::section(material)),
+    ];
+    let ids = material.run.definitions();
+    Ok(Document {
+        title: format!("Convex hulls measured: {}", ids.join(", ")),
+        lead: "Engines that compute convex hulls, each proved right by an independent checker before it was timed. \
+               Nothing is timed that is not proved; nothing is claimed inside the noise of a program against itself."
+            .to_owned(),
+        sections: sections.into_iter().flatten().collect(),
+    })
+}
+
+/// The counts that a report shows if none is named: all questions asked, or every count there is.
+pub fn usual_counters(run: &Run) -> Vec<String> {
+    let known = run.counters();
+    let total = known.iter().filter(|counter| **counter == "questions");
+    let total: Vec<String> = total.map(|counter| (*counter).to_owned()).collect();
+    if !total.is_empty() {
+        return total;
+    }
+    let others = known
+        .into_iter()
+        .filter(|counter| *counter != sections::memory::COUNTER);
+    others.map(str::to_owned).collect()
+}
+
+/// A command on the run, as it is typed.
+fn command(run: &Run, verb: &str, options: &str) -> String {
+    let folder = match run.folder.to_string_lossy() {
+        folder if folder.is_empty() => "RUN".into(),
+        folder => folder,
+    };
+    let words = ["hullbench", verb, &folder, options];
+    words.map(str::trim).join(" ").trim().to_owned()
+}

@@ -1,0 +1,101 @@
+//! Hulls in space by the method that fits the points.
+//!
+//! Where few points are extreme, the quickest way is to throw the others away and to look at what is left; where nearly
+//! all are, there is nothing to throw away, and points are best inserted one beside the other. Which it is, is told by the
+//! hull of a sample: the share of its points that are extreme is at least that of all points (1).
+//!
+//! 1. A point of the sample that is extreme among all points is extreme in the sample.
+//! 2. Both methods are exact, so the choice changes the time and nothing else.
+//!
+//! The sample is every so-many-th point, so that the choice is the same on every machine. A set in a perverse order can
+//! mislead it, and then costs what the other method costs.
+
+use geometry_core::{Hull3, HullError, Kernel3, Method, Observer, Points, Silent, spatial_task};
+use incremental::incremental_brio;
+use quickhull::fast_3d;
+
+/// The methods that are made of methods of several families.
+pub(crate) const METHODS: &[Method] = &[Method {
+    slug: "hull-3d",
+    title: "Discarding or inserting, whichever fits a sample of the points",
+    citation: "This project; the estimate from a sample is that of Y. Wang, R. Yesantharao, S. Yu, L. Dhulipala, Y. Gu, \
+               J. Shun, ParGeo: a library for parallel computational geometry, ESA 2022",
+    departures: &[],
+    cost: "that of fast-3d or of incremental-brio: O(n) on average where few points are extreme, else O(n log n) expected",
+    task: spatial_task!(hull_3d),
+}];
+
+/// So few points are inserted without looking at a sample.
+const FEW: usize = 400;
+
+/// A sample has one of so many points, but no more than [`LARGEST`].
+const EVERY: usize = 16;
+
+/// The largest sample.
+const LARGEST: usize = 200;
+
+/// The hull of `points`, by `incremental-brio` where at least four of five points of a sample are extreme, else by
+/// `fast-3d`.
+pub(crate) fn hull_3d<K: Kernel3, O: Observer>(
+    points: Points<'_, 3>,
+    kernel: &K,
+    observer: &mut O,
+) -> Result<Hull3, HullError> {
+    if points.len() < FEW || mostly_extreme(points, kernel)? {
+        incremental_brio(points, kernel, observer)
+    } else {
+        fast_3d(points, kernel, observer)
+    }
+}
+
+/// Whether at least four of five points of a sample are extreme in it.
+fn mostly_extreme<K: Kernel3>(points: Points<'_, 3>, kernel: &K) -> Result<bool, HullError> {
+    let size = (points.len() / EVERY).min(LARGEST);
+    let all = points.as_slice();
+    let sample: Vec<[f64; 3]> = (0..size).map(|i| all[i * all.len() / size]).collect();
+    let hull = incremental_brio(Points::new(&sample)?, kernel, &mut Silent)?;
+    Ok(5 * hull.len() >= 4 * size)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geometry_core::Exact;
+
+    fn is_mostly_extreme(set: &str) -> bool {
+        let spec: point_sets::Spec = set.parse().expect("a set");
+        let points = spec.generate3(2_000, 3).expect("points");
+        mostly_extreme(Points::new(&points).expect("finite"), &Exact).expect("a hull")
+    }
+
+    #[test]
+    fn samples_tell_spheres_from_balls() {
+        for set in ["sphere", "paraboloid", "moment-curve"] {
+            assert!(is_mostly_extreme(set), "{set}");
+        }
+        for set in [
+            "ball",
+            "cube",
+            "normal3",
+            "cauchy3",
+            "cubic-lattice",
+            "cube-faces",
+        ] {
+            assert!(!is_mostly_extreme(set), "{set}");
+        }
+    }
+
+    #[test]
+    fn either_way_the_hull_is_that_of_quickhull() {
+        for set in ["sphere", "ball", "cubic-lattice"] {
+            for n in [30, 2_000] {
+                let spec: point_sets::Spec = set.parse().expect("a set");
+                let points = spec.generate3(n, 4).expect("points");
+                let points = Points::new(&points).expect("finite");
+                let ours = hull_3d(points, &Exact, &mut Silent).expect("a hull");
+                let other = quickhull::quickhull_3d(points, &Exact, &mut Silent);
+                assert_eq!(Ok(ours), other, "{set} {n}");
+            }
+        }
+    }
+}

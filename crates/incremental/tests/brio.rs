@@ -1,0 +1,136 @@
+//! `incremental-brio`: right where points repeat, line up and crowd, and how much it asks.
+
+use geometry_core::{Counted, Exact, Hull3, HullError, Point3, Points, Silent, Tally};
+use hull_verify::families_space::{grids, random, round};
+use incremental::{incremental_brio, incremental_conflict};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+
+/// Points of a family that is as degenerate as the seed wants.
+fn degenerate(seed: u64) -> Vec<Point3> {
+    let mut generator = ChaCha8Rng::seed_from_u64(seed);
+    let mut below = |k: u64| generator.next_u64() % k;
+    let n = 1 + below(60);
+    // Few values an axis make copies, lines and planes; far fewer on some axes make needles and flat sets.
+    let sides = [0, 1, 2].map(|_| 1 + below(8));
+    let kind = below(4);
+    (0..n)
+        .map(|_| {
+            let p = sides.map(|side| below(side) as f64);
+            match kind {
+                0 => p,
+                // Sevenths are rounded: what was coplanar is nearly so.
+                1 => p.map(|x| x / 7.0),
+                // On a paraboloid: cocircular points have coplanar lifts.
+                2 => [p[0], p[1], p[0] * p[0] + p[1] * p[1]],
+                // Crowds around far corners.
+                _ => p.map(|x| if x > 2.0 { x * 1e9 } else { x * 1e-9 }),
+            }
+        })
+        .collect()
+}
+
+fn both(points: &[Point3]) -> Result<[Hull3; 2], HullError> {
+    let points = Points::new(points)?;
+    Ok([
+        incremental_brio(points, &Exact, &mut Silent)?,
+        incremental_conflict(points, &Exact, &mut Silent)?,
+    ])
+}
+
+/// As many sets as `BRIO_SETS` says; two thousand if it does not.
+#[test]
+fn small_degenerate_sets_have_the_hull_of_another_method() -> Result<(), HullError> {
+    let sets = std::env::var("BRIO_SETS").map_or(2_000, |sets| sets.parse().expect("a number"));
+    for seed in 0..sets {
+        let points = degenerate(seed);
+        let [hull, other] = both(&points)?;
+        assert_eq!(hull, other, "seed {seed}: {points:?}");
+    }
+    Ok(())
+}
+
+/// A sphere beside a point so far away that all of it is in one cell of the first grid.
+#[test]
+fn a_crowd_is_ordered_again() -> Result<(), HullError> {
+    let mut points = round::sphere(3, 20_000);
+    points.push([1e6, 1e6, 1e6]);
+    let (_, alone) = counted(&points[..20_000])?;
+    let (_, crowded) = counted(&points)?;
+    assert!(crowded < 1.1 * alone, "{crowded} against {alone}");
+    let [hull, other] = both(&points[..2_000])?;
+    assert_eq!(hull, other);
+    Ok(())
+}
+
+/// The tally, and the questions of walks and searches a point.
+fn counted(points: &[Point3]) -> Result<(Tally, f64), HullError> {
+    let mut tally = Tally::default();
+    incremental_brio(Points::new(points)?, &Exact, &mut tally)?;
+    let asked = (tally.visits + tally.lines) as f64;
+    Ok((tally, asked / points.len() as f64))
+}
+
+/// Nothing is asked but what is tallied, three orientations for the dimension, and one an edge for the merging.
+#[test]
+fn every_question_is_accounted_for() -> Result<(), HullError> {
+    let points = round::sphere(4, 1_000);
+    let kernel = Counted::new(Exact);
+    let mut tally = Tally::default();
+    incremental_brio(Points::new(&points)?, &kernel, &mut tally)?;
+    let edges = 3 * (tally.facets - tally.drops) / 2;
+    let asked = kernel.counts().orientations_in_space;
+    assert_eq!(asked.total(), tally.visits + tally.lines + edges + 3);
+    // One of the three, about a corner of the plane itself, is zero.
+    assert_eq!(asked.total(), asked.filter + 1);
+    Ok(())
+}
+
+/// Visibility tests and steps a point do not grow with n.
+#[test]
+fn questions_on_a_sphere_are_linear() -> Result<(), HullError> {
+    for n in [1_000, 10_000, 100_000] {
+        let (tally, asked) = counted(&round::sphere(4, n))?;
+        let [facets, visits, lines] =
+            [tally.facets, tally.visits, tally.lines].map(|count| count as f64 / n as f64);
+        assert_eq!(tally.inserts as usize, n - 4);
+        assert!((5.8..6.3).contains(&facets), "n = {n}: {facets} facets");
+        assert!((11.5..13.0).contains(&visits), "n = {n}: {visits} visits");
+        assert!((2.5..4.0).contains(&lines), "n = {n}: {lines} sides");
+        assert!(asked < 17.0, "n = {n}: {asked}");
+    }
+    Ok(())
+}
+
+/// The rounds are random: points put in the order of an adversary cost no more. On a circle and then up its axis, each
+/// point of the axis sees all that the last one made.
+#[test]
+fn no_order_of_the_points_is_bad() -> Result<(), HullError> {
+    let m = 2_000;
+    let turn = std::f64::consts::TAU / f64::from(m);
+    let circle = (0..m).map(|i| {
+        [
+            (turn * f64::from(i)).cos(),
+            (turn * f64::from(i)).sin(),
+            0.0,
+        ]
+    });
+    let points: Vec<Point3> = circle
+        .chain((1..=m).map(|z| [0.0, 0.0, f64::from(z)]))
+        .collect();
+    let (tally, _) = counted(&points)?;
+    assert!(tally.facets < 60 * m as u64, "{} facets", tally.facets);
+    Ok(())
+}
+
+/// Points inside take a walk each, and little more.
+#[test]
+fn questions_in_a_ball_are_few() -> Result<(), HullError> {
+    let n = 20_000;
+    let (tally, asked) = counted(&random::ball(5, n))?;
+    assert!(tally.discards > 9 * n as u64 / 10);
+    assert!(asked < 12.0, "{asked}");
+    let (_, asked) = counted(&grids::cube_surface(30))?;
+    assert!(asked < 40.0, "{asked}");
+    Ok(())
+}

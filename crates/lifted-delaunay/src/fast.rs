@@ -1,0 +1,260 @@
+//! Delaunay triangulations by divide and conquer.
+//!
+//! **Source.** L. Guibas and J. Stolfi, "Primitives for the manipulation of general subdivisions and the computation of
+//! Voronoi diagrams", *ACM Transactions on Graphics* 4(2), 74–123, 1985. R. A. Dwyer, "A faster divide-and-conquer
+//! algorithm for constructing Delaunay triangulations", *Algorithmica* 2, 137–151, 1987, divides across both axes, so that
+//! parts are compact and few edges of one are undone by its neighbours. J. R. Shewchuk, "Triangle", 1996, shows how far
+//! plain arrays carry it.
+//!
+//! **Essence.**
+//!
+//! 1. Sort the points into the cells of a grid, numbered so that every aligned run of 2ᵏ cells is a box (`grid`). Divide
+//!    a cell of more than three points at the middle of its longer side, and so on (`halving`).
+//! 2. Triangulate two or three points at once (`few`).
+//! 3. Join the triangulations of the two halves of a box along the line between them, from the bottom up (`merge`), and
+//!    so on up to the whole.
+//! 4. Write down the triangles, and sort them by counting.
+//!
+//! **Exactness.** All signs are those of the exact kernel. Questions of a merge are about points of one box, and the smaller the
+//! box the tighter is its filter, computed once ([`Boxed`](geometry_core::exact::Boxed)); on a lattice even zeros
+//! are certain at once. Where four points are on a circle, a rule decides (`tie`).
+//!
+//! **Bound.** O(n log n) time for points that spread over the grid, O(n log² n) at worst; the merges take expected O(n) if
+//! points are uniform. About 7.4 in-circle questions a point and 8.7 orientations, at any n.
+//!
+//! **Invariants.**
+//!
+//! 1. The two halves of a set are strictly separated in x or in y, so merges may tilt the line between them as they
+//!    like, and copies of a point stay together until nothing else is left: then the smallest index stands for all.
+//! 2. A part is the Delaunay triangulation of its points, by the rule for ties.
+//! 3. The extremes of a part are known, each with the edge of the hull that leaves it anticlockwise (`part`), so either axis
+//!    can be the next to be merged across.
+//! 4. The depth of the recursion is O(log² n): a box of which one cell holds more than half of the points is divided at
+//!    the median instead.
+//!
+//! **Threads.** [`fast_delaunay_parallel`] conquers halves side by side.
+//!
+//! **Departures.** See [`DEPARTURES`].
+//!
+//! **When not to use it.** When points come one by one, or edges are prescribed.
+
+mod asking;
+mod few;
+mod grid;
+mod halving;
+mod merge;
+mod parallel;
+mod part;
+mod rings;
+mod tie;
+
+pub use parallel::fast_delaunay_parallel;
+
+use asking::{Asking, Filtered, Tallied};
+use geometry_core::{HullError, Point2, Points, QuestionCounts, Triangulation};
+use grid::Grid;
+use halving::Extent;
+use part::{Across, Part};
+use rings::{HALVES_PER_VERTEX, Half, NONE, Rings, Room};
+use std::ops::Range;
+
+/// Where the method departs from Guibas and Stolfi, and from Dwyer, and why.
+pub const DEPARTURES: &[&str] = &[
+    "sets are halved across their longer side, where they are large by a grid, instead of into rows of cells",
+    "the extremes of a part are kept with their edges, so that parts join across either axis without a search",
+    "an edge is two halves in one array, without its dual, and edges that were removed are used again",
+    "of points on one circle the lexicographically first is joined to all others",
+];
+
+/// Sets of up to so many sites are halved without a grid.
+const FEW: usize = 512;
+
+/// The average number of sites in a cell of a grid.
+const CELL: usize = 8;
+
+/// The Delaunay triangulation of `points`.
+///
+/// Exact for every finite input, and equal to that of every other method: where more than three points lie on one
+/// circle, their polygon is cut into the fan from its lexicographically smallest corner. Of copies of a point the
+/// smallest index stands for all; points that are all collinear have no triangles.
+///
+/// # Errors
+///
+/// [`HullError::TooManyPoints`] from 715 million points on: edges could not be numbered any more.
+///
+/// # Cost
+///
+/// O(n log n) time, see [the module](self); about 130 n bytes at its peak, the result included.
+///
+/// ```
+/// use geometry_core::Points;
+/// let kite = [[0.0, 0.0], [1.0, -1.0], [4.0, 0.0], [1.0, 1.0]];
+/// let triangulation = lifted_delaunay::fast_delaunay(Points::new(&kite)?)?;
+/// assert_eq!(triangulation.triangles(), [[0, 1, 3], [1, 2, 3]]);
+/// # Ok::<(), geometry_core::HullError>(())
+/// ```
+pub fn fast_delaunay(points: Points<'_, 2>) -> Result<Triangulation, HullError> {
+    triangulate(points, &mut Filtered::new(points))
+}
+
+/// [`fast_delaunay`], and what it asked.
+///
+/// # Errors
+///
+/// As [`fast_delaunay`].
+///
+/// # Cost
+///
+/// As [`fast_delaunay`], and the counting.
+///
+/// ```
+/// use geometry_core::Points;
+/// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+/// let (triangulation, asked) = lifted_delaunay::fast_delaunay_counted(Points::new(&square)?)?;
+/// assert_eq!(triangulation.triangles(), [[0, 1, 2], [0, 2, 3]]);
+/// assert!(asked.in_circles.total() > 0);
+/// # Ok::<(), geometry_core::HullError>(())
+/// ```
+pub fn fast_delaunay_counted(
+    points: Points<'_, 2>,
+) -> Result<(Triangulation, QuestionCounts), HullError> {
+    let mut tallied = Tallied {
+        filtered: Filtered::new(points),
+        counts: QuestionCounts::default(),
+    };
+    let triangulation = triangulate(points, &mut tallied)?;
+    Ok((triangulation, tallied.counts))
+}
+
+/// A point and its index in the caller's slice. Vertices are places in a slice of these.
+#[derive(Clone, Copy, Debug, Default)]
+struct Site {
+    at: Point2,
+    id: u32,
+}
+
+fn triangulate<A: Asking>(
+    points: Points<'_, 2>,
+    asking: &mut A,
+) -> Result<Triangulation, HullError> {
+    let (mut sites, mut halves) = room_for(points)?;
+    let extent = Extent::of(points.as_slice().iter().copied());
+    let grid = Grid::sort(named(points), &extent, CELL, &mut sites);
+    let room = Room::all(&halves);
+    let mut conquest = Conquest {
+        sites: &mut sites,
+        rings: Rings::new(&mut halves, room),
+        asking,
+    };
+    let whole = conquest.solve_cells(&grid, 0, 0..grid.len(), 0);
+    let Some(out) = whole.map(|part| part.first[0].out).filter(|&e| e != NONE) else {
+        return Ok(Triangulation::default());
+    };
+    conquest.rings.mark_outside(out);
+    let names: Vec<u32> = conquest.sites.iter().map(|site| site.id).collect();
+    let edges = conquest.rings.finished();
+    let triangles = edges.triangles(0..edges.len(), &names);
+    drop((sites, halves));
+    Ok(Triangulation::new(triangles))
+}
+
+/// Unused sites and halves for `points`.
+fn room_for(points: Points<'_, 2>) -> Result<(Vec<Site>, Vec<Half>), HullError> {
+    let count = points.len();
+    if count >= NONE as usize / HALVES_PER_VERTEX {
+        return Err(HullError::TooManyPoints { count });
+    }
+    let halves = vec![Half::default(); HALVES_PER_VERTEX * count];
+    Ok((vec![Site::default(); count], halves))
+}
+
+/// The sites of `points`, in their order.
+fn named(points: Points<'_, 2>) -> impl Iterator<Item = Site> + Clone {
+    let named = points.as_slice().iter().zip(points.ids());
+    named.map(|(&at, id)| Site { at, id })
+}
+
+/// The sites, partly divided, and the edges so far.
+struct Conquest<'a, A> {
+    sites: &'a mut [Site],
+    rings: Rings<'a>,
+    asking: &'a mut A,
+}
+
+impl<A: Asking> Conquest<'_, A> {
+    /// Triangulates the sites from `from` up to `to`.
+    fn solve(&mut self, from: usize, to: usize) -> Option<Part> {
+        let sites = &mut self.sites[from..to];
+        let first = from as u32;
+        match sites.len() {
+            0 => return None,
+            1 => return Some(Part::point(first)),
+            _ => {}
+        }
+        let extent = Extent::of(sites.iter().map(|site| site.at));
+        if extent.is_point() {
+            let least = (0..sites.len()).min_by_key(|&i| sites[i].id).unwrap_or(0);
+            sites.swap(0, least);
+            return Some(Part::point(first));
+        }
+        match sites {
+            [_, _] => {
+                let ends = [first, first + 1];
+                return Some(few::edge(self.sites, &mut self.rings, ends));
+            }
+            [a, b, c] if a.at != b.at && b.at != c.at && c.at != a.at => {
+                let corners = [first, first + 1, first + 2];
+                return Some(self.triangle(corners, &extent));
+            }
+            _ => {}
+        }
+        let (half, across) = if sites.len() <= FEW {
+            halving::halve(sites, &extent)
+        } else {
+            let unsorted = sites.to_vec();
+            let grid = Grid::sort(unsorted.iter().copied(), &extent, CELL, sites);
+            if grid.most() as usize <= sites.len() / 2 {
+                return self.solve_cells(&grid, from, 0..grid.len(), 0);
+            }
+            halving::halve_at_median(sites, &extent)
+        };
+        let left = self.solve(from, from + half);
+        let right = self.solve(from + half, to);
+        self.join(left, right, across)
+    }
+
+    /// Triangulates the sites of cells that make up a box, at a level of the grid whose sites begin at `from`.
+    fn solve_cells(
+        &mut self,
+        grid: &Grid,
+        from: usize,
+        cells: Range<usize>,
+        level: usize,
+    ) -> Option<Part> {
+        let [start, end] = [cells.start, cells.end].map(|cell| grid.starts[cell] as usize);
+        if cells.len() == 1 || end - start <= 3 {
+            return self.solve(from + start, from + end);
+        }
+        let middle = cells.start + cells.len() / 2;
+        let left = self.solve_cells(grid, from, cells.start..middle, level + 1);
+        let right = self.solve_cells(grid, from, middle..cells.end, level + 1);
+        self.join(left, right, grid.levels[level])
+    }
+
+    fn triangle(&mut self, corners: [u32; 3], extent: &Extent) -> Part {
+        let [width, height] = extent.sides();
+        let kernel = self.asking.in_box(width, height);
+        let part = few::triangle(self.sites, &mut self.rings, &kernel, corners);
+        self.asking.done(kernel);
+        part
+    }
+
+    fn join(&mut self, left: Option<Part>, right: Option<Part>, across: Across) -> Option<Part> {
+        let (Some(left), Some(right)) = (left, right) else {
+            return left.or(right);
+        };
+        let halves = [&left, &right];
+        let joined = merge::merge(self.sites, &mut self.rings, self.asking, halves, across);
+        Some(joined)
+    }
+}

@@ -1,0 +1,207 @@
+//! The regions that all points are tested against, chosen on a sample.
+
+use super::core::Core;
+use super::polygon::{Corners, Polygon};
+use super::region::Kept;
+use geometry_core::{Observer, Point2, Step};
+use smallvec::SmallVec;
+use std::borrow::Cow;
+
+/// A sixteenth of the points, but not more than so many, are looked at for corners: enough that a better polygon
+/// would save less time than finding it takes.
+const MOST_SAMPLED: usize = 1 << 14;
+
+/// With fewer points, all are looked at.
+const SAMPLED_FROM: usize = 1 << 12;
+
+/// Fewer corners than this are refined at once, as those of a long and slanted set may be few and close together, unless
+/// there are so few points that it does not matter.
+const ENOUGH: usize = 7;
+const MANY: usize = 512;
+
+/// With fewer points, a pass takes longer than sorting those that it throws away.
+const FEW: usize = 24;
+
+/// One region after another, each for the points not in those before.
+pub(super) struct Cascade {
+    core: Option<Core>,
+    polygons: SmallVec<[Polygon; 1]>,
+    /// The corners of the last polygon.
+    pub(super) corners: Corners,
+}
+
+impl Cascade {
+    /// For these points; none if it would not pay.
+    pub(super) fn of(points: &[Point2]) -> Option<Self> {
+        if points.len() < FEW {
+            return None;
+        }
+        let sample = sampled(points);
+        let mut corners = Corners::of(&sample)?;
+        if corners.len() < ENOUGH && points.len() >= MANY {
+            corners = corners.refined(&sample);
+        }
+        let polygon = Polygon::of(&corners)?;
+        let mut cascade = Self {
+            core: None,
+            polygons: SmallVec::from_buf([polygon]),
+            corners,
+        };
+        let worthwhile = sample.len() == points.len() || cascade.extend(&sample);
+        worthwhile.then_some(cascade)
+    }
+
+    /// Adds the regions that pay on the sample. Returns whether any does.
+    fn extend(&mut self, sample: &[Point2]) -> bool {
+        let mut kept = Kept::default();
+        kept.fill(sample, 0, &self.polygons[0]);
+        let mut before = sample.len();
+        if kept.len() > before / 2 {
+            return false;
+        }
+        while pays(before, kept.len(), &self.corners) {
+            let corners = self.corners.refined(&kept.points);
+            let Some(polygon) = Polygon::of(&corners) else {
+                break;
+            };
+            before = kept.len();
+            kept.thin(&polygon);
+            self.polygons.push(polygon);
+            self.corners = corners;
+        }
+        self.add_core(sample);
+        true
+    }
+
+    /// Adds the core, if a quarter of the sample lies in it. If more than half does, the first polygon has little left
+    /// to do.
+    fn add_core(&mut self, sample: &[Point2]) {
+        let Some(polygon) = self.polygons.last() else {
+            return;
+        };
+        let centres = [mean(self.corners.as_slice()), median(sample)];
+        let cores = centres.map(|centre| {
+            let core = Core::inside(polygon, &self.corners, centre)?;
+            let mut kept = Kept::default();
+            kept.fill(&sample[..sample.len().min(1024)], 0, &core);
+            Some((kept.len(), core))
+        });
+        let best = cores.into_iter().flatten().min_by_key(|(left, _)| *left);
+        let Some((left, core)) = best else {
+            return;
+        };
+        let tried = sample.len().min(1024);
+        if left <= tried / 2 && self.polygons.len() > 1 {
+            self.polygons.remove(0);
+        }
+        if left <= tried - tried / 4 {
+            self.core = Some(core);
+        }
+    }
+
+    /// Adds to `kept` those of the points that are not certain to lie in any region; the first point's index is `first`.
+    pub(super) fn sift<O: Observer>(
+        &self,
+        points: &[Point2],
+        first: u32,
+        kept: &mut Kept,
+        observer: &mut O,
+    ) {
+        let range = first..first + points.len() as u32;
+        let [only] = &self.polygons[..] else {
+            return self.sift_in_steps(points, range, kept, observer);
+        };
+        match &self.core {
+            Some(_) => self.sift_in_steps(points, range, kept, observer),
+            None => {
+                kept.fill(points, first, only);
+                report(range, &kept.ids, observer);
+            }
+        }
+    }
+
+    /// In steps that fit the first cache.
+    fn sift_in_steps<O: Observer>(
+        &self,
+        points: &[Point2],
+        range: std::ops::Range<u32>,
+        kept: &mut Kept,
+        observer: &mut O,
+    ) {
+        const STEP: usize = 4096;
+        let mut step = Kept::default();
+        for (points, first) in points.chunks(STEP).zip(range.step_by(STEP)) {
+            let mut polygons = self.polygons.iter();
+            match &self.core {
+                Some(core) => step.fill(points, first, core),
+                None => step.fill(points, first, polygons.next().expect("never empty")),
+            }
+            report(first..first + points.len() as u32, &step.ids, observer);
+            for polygon in polygons {
+                step.thin_reported(polygon, observer);
+            }
+            kept.append(&step);
+            step.clear();
+        }
+    }
+}
+
+impl Kept {
+    /// [`thin`](Self::thin), and tells the observer.
+    pub(super) fn thin_reported<O: Observer>(&mut self, polygon: &Polygon, observer: &mut O) {
+        let ids = if O::ACTIVE {
+            self.ids.to_vec()
+        } else {
+            Vec::new()
+        };
+        self.thin(polygon);
+        report(ids, &self.ids, observer);
+    }
+}
+
+/// Whether refining the corners and one more pass pay, after one that kept `after` of `before` points.
+pub(super) fn pays(before: usize, after: usize, corners: &Corners) -> bool {
+    after > 6 * corners.len() && after < before - before / 4
+}
+
+/// A sixteenth of the points from all over the slice, at most [`MOST_SAMPLED`]; all if they are few.
+fn sampled(points: &[Point2]) -> Cow<'_, [Point2]> {
+    if points.len() < SAMPLED_FROM {
+        return points.into();
+    }
+    let step = points.len().div_ceil(MOST_SAMPLED).max(16);
+    points.iter().copied().step_by(step).collect()
+}
+
+fn mean(points: &[Point2]) -> Point2 {
+    let part = 1.0 / points.len() as f64;
+    points
+        .iter()
+        .fold([0.0; 2], |[x, y], p| [x + part * p[0], y + part * p[1]])
+}
+
+/// The median of each coordinate, of a few of the points.
+fn median(points: &[Point2]) -> Point2 {
+    const FEW: usize = 63;
+    let step = points.len().div_ceil(FEW).max(1);
+    [0, 1].map(|axis| {
+        let few = points.iter().step_by(step).map(|point| point[axis]);
+        let mut few: SmallVec<[f64; FEW]> = few.collect();
+        few.sort_unstable_by(f64::total_cmp);
+        few.get(few.len() / 2).copied().unwrap_or(0.0)
+    })
+}
+
+/// Tells of points looked at and of those dropped. Both lists ascend, and the second is part of the first.
+fn report<O: Observer>(looked_at: impl IntoIterator<Item = u32>, kept: &[u32], observer: &mut O) {
+    if !O::ACTIVE {
+        return;
+    }
+    let mut kept = kept.iter().copied().peekable();
+    for id in looked_at {
+        observer.step(|| Step::Visit(id));
+        if kept.next_if_eq(&id).is_none() {
+            observer.step(|| Step::Discard(id));
+        }
+    }
+}

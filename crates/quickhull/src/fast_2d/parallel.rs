@@ -1,0 +1,92 @@
+//! The pass over all points on several processors.
+//!
+//! The points are cut into parts of a fixed length; what each part keeps is put together in order. So the result, and
+//! which points are dropped, do not depend on how many threads there are, and are those of the sequential method.
+
+use super::cascade::Cascade;
+use super::region::Kept;
+use super::{candidates, hull_of, hull_of_unseen};
+use geometry_core::{Boundary, Hull2, HullError, Kernel2, Point2, Points, Silent};
+use rayon::prelude::*;
+
+/// Where the parallel method departs from the sequential one.
+pub const PARALLEL_DEPARTURES: &[&str] = &[
+    "the first pass over all points is made by as many threads as there are; what it leaves is sifted further, sorted and \
+     scanned by one",
+    "steps are reported, and questions counted, by the sequential method, whose steps and questions are the same",
+    "otherwise as fast-2d",
+];
+
+/// The length of a part: a megabyte of points.
+const PART: usize = 1 << 16;
+
+/// The result of [`fast_2d`](super::fast_2d()), found on several processors.
+///
+/// Runs on the current rayon thread pool.
+///
+/// # Errors
+///
+/// Those of [`fast_2d`](super::fast_2d()).
+///
+/// # Cost
+///
+/// The work of [`fast_2d`](super::fast_2d()). All of it but the first pass is sequential, so a set whose points are
+/// mostly extreme gains nothing.
+///
+/// # Example
+///
+/// ```
+/// use geometry_core::{Boundary, Exact, Points};
+/// let points = [[0.0, 0.0], [4.0, 0.0], [1.0, 1.0], [0.0, 4.0]];
+/// let hull = quickhull::fast_2d_parallel(Points::new(&points)?, Boundary::Extreme, &Exact)?;
+/// assert_eq!(hull.vertices(), [0, 1, 3]);
+/// # Ok::<(), geometry_core::HullError>(())
+/// ```
+pub fn fast_2d_parallel<K: Kernel2>(
+    points: Points<'_, 2>,
+    boundary: Boundary,
+    kernel: &K,
+) -> Result<Hull2, HullError> {
+    let mut kept = Kept::default();
+    let candidates = candidates(points.as_slice(), &mut kept, &mut Silent, in_parts);
+    Ok(hull_of(candidates, boundary, kernel, &mut Silent))
+}
+
+/// [`convex_hull`](super::convex_hull) on several processors: [`fast_2d_parallel`] of points that nobody has looked at
+/// yet.
+///
+/// # Errors
+///
+/// Those of [`Points::new`].
+///
+/// # Cost
+///
+/// That of [`fast_2d_parallel`].
+///
+/// # Example
+///
+/// ```
+/// use geometry_core::Boundary;
+/// let points = [[0.0, 0.0], [4.0, 0.0], [1.0, 1.0], [0.0, 4.0]];
+/// assert_eq!(quickhull::convex_hull_parallel(&points, Boundary::Extreme)?.len(), 3);
+/// # Ok::<(), geometry_core::HullError>(())
+/// ```
+pub fn convex_hull_parallel(points: &[Point2], boundary: Boundary) -> Result<Hull2, HullError> {
+    hull_of_unseen(points, boundary, in_parts)
+}
+
+/// The pass of several threads.
+fn in_parts(cascade: &Cascade, points: &[Point2], kept: &mut Kept, _: &mut Silent) {
+    if points.len() <= PART {
+        return cascade.sift(points, 0, kept, &mut Silent);
+    }
+    let sifted = |(number, part): (usize, &[Point2])| {
+        let mut kept = Kept::default();
+        cascade.sift(part, (number * PART) as u32, &mut kept, &mut Silent);
+        kept
+    };
+    let parts: Vec<Kept> = points.par_chunks(PART).enumerate().map(sifted).collect();
+    for part in &parts {
+        kept.append(part);
+    }
+}

@@ -1,0 +1,190 @@
+//! A part of the plane inside the hull, and the passes that keep the points outside it.
+//!
+//! The passes are plain loops over a block, compiled for each width of vectors that the machine may have; `pulp` picks the
+//! one to run. The arithmetic is the same in all.
+
+use geometry_core::Point2;
+use smallvec::SmallVec;
+
+/// Points are tested in blocks of so many, a bit of a word for each.
+pub(super) const BLOCK: usize = 64;
+
+/// Up to so many points are kept without allocation.
+pub(super) const INLINE: usize = 128;
+
+/// A part of the plane in which every point is an inner point of the hull of the input.
+pub(super) trait Region {
+    /// A number for each point: greater than the [`bound`](Self::bound) only if the point lies in the region for certain.
+    /// Where a coordinate is not finite it is not, or NaN.
+    ///
+    /// Written as plain loops over the whole block: the compiler makes good vectors of these, and bad ones of loops over
+    /// parts of it.
+    fn measure(&self, block: &Block) -> [f64; BLOCK];
+
+    /// What a measure must exceed.
+    fn bound(&self) -> f64;
+
+    /// Bit i for point i not certain to lie in the region.
+    #[inline(always)]
+    fn not_inside(&self, points: &[Point2; BLOCK]) -> u64 {
+        let bound = self.bound();
+        let mut inside = 0;
+        for (place, measure) in self.measure(&Block::of(points)).into_iter().enumerate() {
+            inside |= u64::from(measure > bound) << place;
+        }
+        !inside
+    }
+}
+
+/// The coordinates of the points of a block, side by side.
+pub(super) struct Block {
+    pub(super) x: [f64; BLOCK],
+    pub(super) y: [f64; BLOCK],
+}
+
+impl Block {
+    #[inline(always)]
+    fn of(points: &[Point2; BLOCK]) -> Self {
+        let (mut x, mut y) = ([0.0; BLOCK], [0.0; BLOCK]);
+        for (place, point) in points.iter().enumerate() {
+            x[place] = point[0];
+            y[place] = point[1];
+        }
+        Self { x, y }
+    }
+}
+
+/// The lesser number; the second if one is NaN.
+#[inline(always)]
+pub(super) fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// The points kept, with their indices in the caller's slice, in its order.
+#[derive(Default)]
+pub(super) struct Kept {
+    pub(super) points: SmallVec<[Point2; INLINE]>,
+    pub(super) ids: SmallVec<[u32; INLINE]>,
+}
+
+impl Kept {
+    /// Adds those of the points that are not certain to lie in the region; the first point's index is `first`.
+    pub(super) fn fill<R: Region>(&mut self, points: &[Point2], first: u32, region: &R) {
+        pulp::Arch::new().dispatch(Fill {
+            kept: self,
+            points,
+            first,
+            region,
+        });
+    }
+
+    /// Keeps those that are not certain to lie in the region.
+    pub(super) fn thin<R: Region>(&mut self, region: &R) {
+        pulp::Arch::new().dispatch(Thin { kept: self, region });
+    }
+
+    /// Adds what another kept.
+    pub(super) fn append(&mut self, other: &Kept) {
+        self.points.extend_from_slice(&other.points);
+        self.ids.extend_from_slice(&other.ids);
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.points.clear();
+        self.ids.clear();
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    /// Adds the points of the block whose bits are set; the block's first point has the index `first`.
+    #[inline(always)]
+    fn add(&mut self, block: &[Point2; BLOCK], first: u32, mut bits: u64) {
+        let (before, count) = (self.points.len(), bits.count_ones() as usize);
+        self.points.resize(before + count, [0.0; 2]);
+        self.ids.resize(before + count, 0);
+        let new = self.points[before..]
+            .iter_mut()
+            .zip(&mut self.ids[before..]);
+        for (point, id) in new {
+            let place = bits.trailing_zeros() % BLOCK as u32;
+            bits &= bits.wrapping_sub(1);
+            *point = block[place as usize];
+            *id = first + place;
+        }
+    }
+}
+
+struct Fill<'a, R> {
+    kept: &'a mut Kept,
+    points: &'a [Point2],
+    first: u32,
+    region: &'a R,
+}
+
+impl<R: Region> pulp::NullaryFnOnce for Fill<'_, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self {
+            kept,
+            points,
+            mut first,
+            region,
+        } = self;
+        let (blocks, rest) = points.as_chunks::<BLOCK>();
+        for block in blocks {
+            let bits = region.not_inside(block);
+            if bits != 0 {
+                kept.add(block, first, bits);
+            }
+            first += BLOCK as u32;
+        }
+        if !rest.is_empty() {
+            let block = filled_up(rest);
+            let bits = region.not_inside(&block) & (u64::MAX >> (BLOCK - rest.len()));
+            kept.add(&block, first, bits);
+        }
+    }
+}
+
+struct Thin<'a, R> {
+    kept: &'a mut Kept,
+    region: &'a R,
+}
+
+impl<R: Region> pulp::NullaryFnOnce for Thin<'_, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Kept { points, ids } = self.kept;
+        let (points_kept, ids_kept) = (&mut points[..], &mut ids[..]);
+        let mut count = 0;
+        for start in (0..points_kept.len()).step_by(BLOCK) {
+            let len = BLOCK.min(points_kept.len() - start);
+            let block = filled_up(&points_kept[start..start + len]);
+            let mut bits = self.region.not_inside(&block) & (u64::MAX >> (BLOCK - len));
+            // What is written lies before what is still to be read.
+            while bits != 0 {
+                let place = bits.trailing_zeros() as usize;
+                bits &= bits - 1;
+                points_kept[count] = block[place];
+                ids_kept[count] = ids_kept[start + place];
+                count += 1;
+            }
+        }
+        points.truncate(count);
+        ids.truncate(count);
+    }
+}
+
+/// A block that begins with the points, which are at least one and at most [`BLOCK`].
+#[inline(always)]
+fn filled_up(points: &[Point2]) -> [Point2; BLOCK] {
+    let mut block = [points[0]; BLOCK];
+    block[..points.len()].copy_from_slice(points);
+    block
+}

@@ -1,0 +1,54 @@
+//! The points that are certainly inside are thrown away, in passes against polygons with more and more corners.
+//!
+//! 1. Choose regions on a sample. If most of the sample is in none, hardly any point will be: keep all.
+//! 2. Pass over all points and keep, side by side in memory, those not certain to lie in a region.
+//! 3. Refine the corners by the points kept, and pass over these again, while that pays.
+
+use super::cascade::{Cascade, pays};
+use super::extremes::MOST_POINTS;
+use super::polygon::Polygon;
+use super::region::Kept;
+use geometry_core::{Observer, Point2};
+use std::borrow::Cow;
+
+/// What is left of the points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Left {
+    /// All: nothing was thrown away.
+    All,
+    /// Those in [`Kept`].
+    Kept,
+}
+
+/// Throws away points that are certainly inside the hull, and puts the others into `kept`, which is empty. `sift` is
+/// the pass over all points.
+pub(super) fn throw_away<O: Observer>(
+    points: &[Point2],
+    kept: &mut Kept,
+    observer: &mut O,
+    sift: impl FnOnce(&Cascade, &[Point2], &mut Kept, &mut O),
+) -> Left {
+    let Some(cascade) = Cascade::of(points) else {
+        return Left::All;
+    };
+    sift(&cascade, points, kept, observer);
+    let (mut before, mut corners) = (points.len(), cascade.corners);
+    while pays(before, kept.len(), &corners) {
+        corners = corners.refined(&few_enough(&kept.points));
+        let Some(polygon) = Polygon::of(&corners) else {
+            break;
+        };
+        before = kept.len();
+        kept.thin_reported(&polygon, observer);
+    }
+    Left::Kept
+}
+
+/// At most [`MOST_POINTS`] of the points, from all over the slice.
+fn few_enough(points: &[Point2]) -> Cow<'_, [Point2]> {
+    if points.len() <= MOST_POINTS {
+        return points.into();
+    }
+    let step = points.len().div_ceil(MOST_POINTS);
+    points.iter().copied().step_by(step).collect()
+}
