@@ -52,6 +52,34 @@ impl<'a, const D: usize> Points<'a, D> {
         Ok(Self { slice })
     }
 
+    /// The view of `slice` when its parts have been validated one by one, perhaps by several threads; `None` unless the
+    /// parts, one behind the other, are the slice.
+    ///
+    /// # Cost
+    ///
+    /// O(parts).
+    ///
+    /// ```
+    /// use geometry_core::Points;
+    /// let points = [[0.0], [1.0], [2.0]];
+    /// let parts = [Points::new(&points[..2])?, Points::new(&points[2..])?];
+    /// assert!(Points::joined(&points, &parts).is_some());
+    /// assert!(Points::joined(&points, &parts[..1]).is_none());
+    /// # Ok::<(), geometry_core::HullError>(())
+    /// ```
+    pub fn joined(slice: &'a [[f64; D]], parts: &[Self]) -> Option<Self> {
+        let mut rest = slice;
+        for part in parts {
+            let (start, end) = rest.split_at_checked(part.len())?;
+            if !std::ptr::eq(start, part.slice) {
+                return None;
+            }
+            rest = end;
+        }
+        let fits = u32::try_from(slice.len()).is_ok();
+        (rest.is_empty() && fits).then_some(Self { slice })
+    }
+
     const BLOCK: usize = 256;
 
     #[cold]

@@ -32,7 +32,7 @@ pub mod quickhull_3d;
 pub use balan_quickhull::balan_quickhull;
 pub use eddy::eddy;
 pub use fast_2d::{convex_hull, convex_hull_parallel, fast_2d, fast_2d_parallel};
-pub use fast_3d::fast_3d;
+pub use fast_3d::{fast_3d, fast_3d_parallel};
 pub use quickhull_3d::quickhull_3d;
 
 const THROW_AWAY: &str = "S. G. Akl, G. T. Toussaint, A fast convex hull algorithm, Information Processing Letters 7 \

@@ -112,12 +112,32 @@ fn large_sets_have_the_hull_that_exact_answers_give() -> Result<(), HullError> {
     for (name, points) in large_sets() {
         let hull = exact(&points)?;
         assert!(fast(&points)? == hull, "{name}");
+        assert!(
+            quickhull::fast_3d_parallel(&points, &Exact)? == hull,
+            "{name}"
+        );
         for change in reorderings(&points, 7).into_iter().take(4) {
             let answer = fast(&change.points)?;
             assert!(answer == carried(&hull, &change), "{name}, {}", change.name);
         }
     }
     Ok(())
+}
+
+#[test]
+fn the_first_bad_coordinate_is_named_by_all_threads() {
+    let mut points = random::cube(1, 300_000);
+    points[250_000][1] = f64::INFINITY;
+    points[270_000][0] = f64::NAN;
+    let error = quickhull::fast_3d_parallel(&points, &Exact);
+    assert!(matches!(
+        error,
+        Err(HullError::NotFinite {
+            index: 250_000,
+            axis: 1,
+            ..
+        })
+    ));
 }
 
 /// Points of a facet's plane count as inside, so they cost nothing; a perturbed kernel makes half of them vertices.

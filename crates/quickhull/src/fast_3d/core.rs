@@ -6,13 +6,11 @@
 //! the box |w_i| ≤ t a_i if t Σ |n_i a_i| ≤ 1. The a_i are the extents of the points, as seen from the centre, and t the least
 //! over all cells. Which of the two is taken depends on how many points of the sample they hold.
 //!
-//! Every point of the body is in some cell and below its top, and t is made smaller by a part in 2³⁰, which is far more
-//! than all rounding here: so such a point is in the interior.
+//! Every point of the body is in some cell and below its top. With m, r, M and ε as there, planes are off by at most 32 ε M / r
+//! of themselves, and so are the rounded w_i / a_i, as a_i ≥ r. Made smaller by the factor 1 - m, where m ≥ 2048 ε M / r,
+//! the body lies in the interior with all that rounding takes for it.
 
 use geometry_core::Point3;
-
-/// How much smaller the body is made.
-const SHRUNK: f64 = 1.0 - 1.0 / (1 << 30) as f64;
 
 /// The kind of the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,11 +31,12 @@ pub(super) struct Core {
 }
 
 impl Core {
-    /// The largest body with these half axes, up to a factor, below all planes `normal · w ≤ 1`.
+    /// The largest body with these half axes, up to a factor, below all planes `normal · w ≤ 1`, made smaller by `margin`.
     pub(super) fn below(
         shape: Shape,
         centre: Point3,
         axes: Point3,
+        margin: f64,
         normals: impl Iterator<Item = Point3>,
     ) -> Self {
         let heights = normals.map(|n| {
@@ -52,7 +51,7 @@ impl Core {
             shape,
             centre,
             scales: axes.map(f64::recip),
-            most: SHRUNK / highest,
+            most: (1.0 - margin).powi(2) / highest,
         }
     }
 
@@ -102,3 +101,8 @@ impl Core {
 
 /// The number of points looked at together.
 pub(super) const BLOCK: usize = 64;
+
+/// The places of all points of a block.
+pub(super) fn all_places() -> [u8; BLOCK] {
+    std::array::from_fn(|place| place as u8)
+}

@@ -49,7 +49,7 @@
 //! **Range.** Used only if 2⁻⁴⁰⁰ ≤ r, M ≤ 2⁴⁰⁰ and r ≥ 2⁻²⁸ M, so that nothing overflows, and a product that
 //! underflows is off by 2⁻¹⁰⁷⁴, far less than ε times what it is added to.
 
-use super::core::{Core, Shape};
+use super::core::{BLOCK, Core, Shape, all_places};
 use geometry_core::mesh::{SideId, TriMesh, TriangleId};
 use geometry_core::{Point3, Points};
 
@@ -86,9 +86,15 @@ pub(super) struct DirectionMap {
     centre: Point3,
     /// Points further away than this along an axis are outside the polytope.
     reach: f64,
-    /// The number of cells along a side of a face of the cube, a power of two.
-    side: usize,
-    /// 6 · side² cells, face by face.
+    /// The number of cells along a side of a face of the cube.
+    side: f64,
+    /// Half of that, less what keeps the last quotient in the last column; and half of it less a half, as numbers are
+    /// rounded to the nearest integer.
+    scale: f64,
+    shift: f64,
+    /// The number of the last cell.
+    unknown: f64,
+    /// 6 · side² cells, face by face, and one of which nothing is known.
     cells: Vec<Cell>,
     /// A body that holds many points, if one does.
     pub(super) core: Option<Core>,
@@ -100,52 +106,122 @@ const TO_INTEGER: f64 = 6755399441055744.0;
 impl DirectionMap {
     /// The map of the surface `mesh` of `points`, `side` cells to the side of each of the cube's faces; none if the surface
     /// is too flat for it, or its coordinates too large or too small.
+    ///
+    /// It looks from the middle of the corners. If no body about that holds many points of the sample, they may be close
+    /// together compared to the polytope; then it also looks from among them, and takes what finds more of them inside.
     pub(super) fn of(
         points: Points<'_, 3>,
         mesh: &TriMesh,
         side: usize,
         sample: &[Point3],
     ) -> Option<Self> {
-        let view = View::of(points, mesh)?;
-        let mut cells = Vec::with_capacity(6 * side * side);
+        let corners = mesh.triangles().flat_map(|triangle| mesh.corners(triangle));
+        let middle = mean(corners.map(|id| points[id]));
+        let from_middle = Self::from(middle, points, mesh, side, sample);
+        if from_middle.as_ref().is_some_and(|map| map.core.is_some()) {
+            return from_middle;
+        }
+        let from_points = Self::from(median(sample), points, mesh, side, sample);
+        let maps = [from_points, from_middle].into_iter().flatten();
+        maps.max_by_key(|map| map.count(sample))
+    }
+
+    fn from(
+        centre: Point3,
+        points: Points<'_, 3>,
+        mesh: &TriMesh,
+        side: usize,
+        sample: &[Point3],
+    ) -> Option<Self> {
+        let view = View::of(points, mesh, centre)?;
+        let mut cells = Vec::with_capacity(6 * side * side + 1);
         for face in 0..6 {
             view.cells_of_face(face, side, &mut cells);
         }
         let core = view.core(&cells, sample);
+        cells.push(Cell::UNKNOWN);
+        let (unknown, side) = ((cells.len() - 1) as f64, side as f64);
+        let half = side / 2.0;
         Some(Self {
             centre: view.centre,
             reach: view.reach,
             side,
+            scale: half - 8.0 * half * f64::EPSILON,
+            shift: half - 0.5,
+            unknown,
             cells,
             core,
         })
     }
 
-    /// Whether p is certainly a point of the polytope, and not extreme in it.
+    /// Keeps, of the first `kept` places of a block, those of points that are not certainly inside; returns how many.
+    ///
+    /// Nothing about a point decides a branch, and the numbers of the cells are computed several at a time.
     #[inline(always)]
-    pub(super) fn is_inside(&self, p: Point3) -> bool {
-        let w = minus(p, self.centre);
+    pub(super) fn keep_outside(
+        &self,
+        block: &[Point3],
+        places: &mut [u8; BLOCK],
+        kept: usize,
+    ) -> usize {
+        let mut from_centre = [[0.0; BLOCK]; 3];
+        for (slot, &place) in places[..kept].iter().enumerate() {
+            let w = minus(block[usize::from(place)], self.centre);
+            (0..3).for_each(|axis| from_centre[axis][slot] = w[axis]);
+        }
+        let [xs, ys, zs] = &from_centre;
+        let mut numbers = [0.0; BLOCK];
+        for slot in 0..kept.next_multiple_of(4).min(BLOCK) {
+            numbers[slot] = self.number([xs[slot], ys[slot], zs[slot]]);
+        }
+        let mut outside = 0;
+        for (slot, &number) in numbers[..kept].iter().enumerate() {
+            let place = places[slot];
+            let p = block[usize::from(place)];
+            let cell = self.cells[(number + TO_INTEGER).to_bits() as u32 as usize];
+            let [x, y, z] = [0, 1, 2].map(|i| cell.normal[i] * p[i]);
+            let is_inside = x + y + z <= cell.limit;
+            places[outside] = place;
+            outside += usize::from(!is_inside);
+        }
+        outside
+    }
+
+    /// How many of the points are certainly inside.
+    fn count(&self, points: &[Point3]) -> usize {
+        let blocks = points.chunks(BLOCK);
+        let outside = blocks.map(|block| {
+            let mut places = all_places();
+            self.keep_outside(block, &mut places, block.len())
+        });
+        points.len() - outside.sum::<usize>()
+    }
+
+    /// The number of the cell in which a point w from the centre lies, or that of the last, of which nothing is known,
+    /// where w is out of reach or zero.
+    #[inline(always)]
+    fn number(&self, w: Point3) -> f64 {
         let [x, y, z] = w.map(f64::abs);
-        // Which axis is the major one decides no branch: the processor could not foresee it.
-        let below_y_or_z = !((x >= y) & (x >= z));
-        let axis = usize::from(below_y_or_z) << usize::from(y < z);
-        let cyclic = [w[0], w[1], w[2], w[0], w[1], 0.0, 0.0, 0.0];
-        let [major, next, last] = [0, 1, 2].map(|i| cyclic[(axis + i) % 8]);
+        let by_x = (x >= y) & (x >= z);
+        let by_y = y >= z;
+        let pick = |for_x: f64, for_y: f64, for_z: f64| {
+            let not_x = if by_y { for_y } else { for_z };
+            if by_x { for_x } else { not_x }
+        };
+        let major = pick(w[0], w[1], w[2]);
         let inverse = 1.0 / major;
-        let (u, v) = (next * inverse, last * inverse);
-        let face = 2 * axis + usize::from(major < 0.0);
-        let (column, row) = (self.column(u), self.column(v));
-        let cell = self.cells[(face * self.side + row) * self.side + column];
-        let height = cell.normal[0] * p[0] + cell.normal[1] * p[1] + cell.normal[2] * p[2];
-        (height <= cell.limit) & (major.abs() <= self.reach)
+        let column = self.column(pick(w[1], w[2], w[0]) * inverse);
+        let row = self.column(pick(w[2], w[0], w[1]) * inverse);
+        let face = pick(0.0, 2.0, 4.0) + if major < 0.0 { 1.0 } else { 0.0 };
+        let number = (face * self.side + row) * self.side + column;
+        let is_known = (major.abs() > 0.0) & (major.abs() <= self.reach);
+        if is_known { number } else { self.unknown }
     }
 
     /// The column, or row, of a quotient in -1..=1.
     #[inline(always)]
-    fn column(&self, quotient: f64) -> usize {
-        let half = self.side as f64 / 2.0;
-        let place = quotient * (half - 8.0 * half * f64::EPSILON) + (half - 0.5);
-        (place + TO_INTEGER).to_bits() as usize & (self.side - 1)
+    fn column(&self, quotient: f64) -> f64 {
+        (quotient * self.scale + self.shift + TO_INTEGER) - TO_INTEGER
     }
 }
 
@@ -177,21 +253,16 @@ struct Exit {
 }
 
 impl<'a> View<'a> {
-    fn of(points: Points<'a, 3>, mesh: &'a TriMesh) -> Option<Self> {
+    /// The view from `centre`; none if that is not well inside, or the numbers are out of range.
+    fn of(points: Points<'a, 3>, mesh: &'a TriMesh, centre: Point3) -> Option<Self> {
         let start = mesh.triangles().next()?;
-        let (mut sum, mut count, mut largest) = ([0.0; 3], 0.0, 0.0_f64);
-        for triangle in mesh.triangles() {
-            for id in mesh.corners(triangle) {
-                let p = points[id];
-                sum = [0, 1, 2].map(|i| sum[i] + p[i]);
-                largest = p.into_iter().fold(largest, |most, x| most.max(x.abs()));
-                count += 1.0;
-            }
-        }
+        let corners = mesh.triangles().flat_map(|triangle| mesh.corners(triangle));
+        let coordinates = corners.flat_map(|id| points[id]);
+        let largest = coordinates.fold(0.0_f64, |most, x| most.max(x.abs()));
         let mut view = Self {
             points,
             mesh,
-            centre: sum.map(|x| x / count),
+            centre,
             reach: 0.0,
             axes: [0.0; 3],
             largest,
@@ -228,7 +299,7 @@ impl<'a> View<'a> {
     fn core(&self, cells: &[Cell], sample: &[Point3]) -> Option<Core> {
         let normals = || cells.iter().map(|cell| self.normal_about_centre(cell));
         let best = [Shape::Ellipsoid, Shape::Box]
-            .map(|shape| Core::below(shape, self.centre, self.axes, normals()))
+            .map(|shape| Core::below(shape, self.centre, self.axes, self.margin, normals()))
             .map(|core| (core.count(sample), core))
             .into_iter()
             .max_by_key(|&(count, _)| count)?;
@@ -432,6 +503,23 @@ fn below(normal: Point3, centre: Point3, largest: f64, reach: f64) -> f64 {
     let size: f64 = normal.into_iter().map(f64::abs).sum();
     let level = 1.0 + normal[0] * centre[0] + normal[1] * centre[1] + normal[2] * centre[2];
     level - 32.0 * ROUNDING * (1.0 + size * (largest + reach))
+}
+
+/// The middle coordinates of some of the points, each by itself.
+fn median(points: &[Point3]) -> Point3 {
+    let some = &points[..points.len().min(255)];
+    [0, 1, 2].map(|axis| {
+        let mut coordinates: Vec<f64> = some.iter().map(|p| p[axis]).collect();
+        let middle = coordinates.len() / 2;
+        *coordinates.select_nth_unstable_by(middle, f64::total_cmp).1
+    })
+}
+
+fn mean(points: impl Iterator<Item = Point3>) -> Point3 {
+    let add =
+        |(sum, count): (Point3, f64), p: Point3| ([0, 1, 2].map(|i| sum[i] + p[i]), count + 1.0);
+    let (sum, count) = points.fold(([0.0; 3], 0.0), add);
+    sum.map(|x| x / count)
 }
 
 fn minus(p: Point3, q: Point3) -> Point3 {

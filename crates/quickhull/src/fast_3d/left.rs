@@ -1,6 +1,6 @@
 //! The points left when those that are certainly inside are discarded.
 
-use super::core::BLOCK;
+use super::core::{BLOCK, all_places};
 use super::directions::DirectionMap;
 use geometry_core::{Observer, Point3, Points, Step};
 
@@ -25,18 +25,34 @@ impl Left {
             let start = first + (number * BLOCK) as u32;
             let kept = match &map.core {
                 Some(core) => core.outside(block, &mut places),
-                None => all(block, &mut places),
-            };
-            for &place in &places[..kept] {
-                let p = block[usize::from(place)];
-                if !map.is_inside(p) {
-                    left.points.push(p);
-                    left.ids.push(start + u32::from(place));
+                None => {
+                    places = all_places();
+                    block.len()
                 }
-            }
+            };
+            let kept = map.keep_outside(block, &mut places, kept);
+            let outside = &places[..kept];
+            let points = outside.iter().map(|&place| block[usize::from(place)]);
+            left.points.extend(points);
+            left.ids
+                .extend(outside.iter().map(|&place| start + u32::from(place)));
             left.tell(start, block.len(), observer);
         }
         left
+    }
+
+    /// Parts one behind the other.
+    pub(super) fn joined(parts: Vec<Self>) -> Self {
+        let len = parts.iter().map(|part| part.ids.len()).sum();
+        let mut all = Self {
+            points: Vec::with_capacity(len),
+            ids: Vec::with_capacity(len),
+        };
+        for part in parts {
+            all.points.extend(part.points);
+            all.ids.extend(part.ids);
+        }
+        all
     }
 
     /// One visit for each point of a block, and a discard for those that are not among the last ones left.
@@ -69,12 +85,4 @@ impl Left {
             ids,
         }
     }
-}
-
-/// The places of all points of a block.
-fn all(block: &[Point3], places: &mut [u8; BLOCK]) -> usize {
-    for (slot, place) in places.iter_mut().zip(0..) {
-        *slot = place;
-    }
-    block.len()
 }
