@@ -78,7 +78,7 @@ pub const DEPARTURES: &[&str] = &[
 /// # Cost
 ///
 /// Expected O(n log n) time for points along a surface, of which the sort has the logarithm: about twenty orientations a
-/// point. Space: O(n), on a sphere about 140 bytes a point with the result.
+/// point. Space: O(n), on a sphere about 120 bytes a point with the result.
 ///
 /// # Example
 ///

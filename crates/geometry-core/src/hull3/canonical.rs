@@ -14,6 +14,9 @@ use super::facets::Loops;
 /// The most piles: as many as have the line they grow at in the fastest cache.
 const PILES: u32 = 256;
 
+/// The most triangles of a bucket that are sorted by insertion.
+const FEW: u32 = 16;
+
 /// The triangles that `triangles` yields, the same ones in every call, and the facets `larger`, all with indices below
 /// `count` and starting anywhere, in canonical order.
 ///
@@ -91,6 +94,7 @@ fn sort_pile(pile: &mut [[u32; 3]], buckets: &mut [u32], copy: &mut Vec<[u32; 3]
     for triangle in &*pile {
         buckets[triangle[0] as usize & mask] += 1;
     }
+    let largest = buckets.iter().copied().max().unwrap_or(0);
     add_up(buckets);
     copy.clear();
     copy.extend_from_slice(pile);
@@ -99,8 +103,26 @@ fn sort_pile(pile: &mut [[u32; 3]], buckets: &mut [u32], copy: &mut Vec<[u32; 3]
         pile[*place as usize] = *triangle;
         *place += 1;
     }
-    for bucket in pile.chunk_by_mut(|a, b| a[0] == b[0]) {
-        bucket.sort_unstable();
+    if largest <= FEW {
+        sort_by_insertion(pile);
+    } else {
+        for bucket in pile.chunk_by_mut(|a, b| a[0] == b[0]) {
+            bucket.sort_unstable();
+        }
+    }
+}
+
+/// Sorts triangles that need not move far.
+fn sort_by_insertion(triangles: &mut [[u32; 3]]) {
+    let key = |[first, second, _]: [u32; 3]| (u64::from(first) << 32) | u64::from(second);
+    for i in 1..triangles.len() {
+        let triangle = triangles[i];
+        let mut place = i;
+        while place > 0 && key(triangles[place - 1]) > key(triangle) {
+            triangles[place] = triangles[place - 1];
+            place -= 1;
+        }
+        triangles[place] = triangle;
     }
 }
 

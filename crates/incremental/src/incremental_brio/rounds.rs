@@ -14,9 +14,10 @@ use geometry_core::Points;
 /// The fewest points of all rounds but the last to come; below it there is one round.
 const FIRST_ROUND: u32 = 32;
 /// More points than this in one cell are sorted again.
-const CROWD: usize = 32;
+const CROWD: usize = 8;
 const ROUND_BITS: u32 = 4;
 const POINTS_A_CELL: usize = 16;
+const FINEST: u32 = 10;
 
 /// The indices of all points in the order of insertion: `first`, then the others by rounds.
 pub(super) fn order(points: Points<'_, 3>, first: [u32; 4]) -> Vec<u32> {
@@ -102,9 +103,15 @@ impl Sorter<'_> {
     ///
     /// A crowd of all of them, which no grid can tell apart, is left as it is.
     fn sort(&mut self, ids: &mut [u32], offset: usize, round: impl Fn(u32) -> u64) {
-        // A surface meets about as many cells as 4 to the power of the levels: a few points for each.
+        // A surface meets about as many cells as 4 to the power of the levels: a few points for each. A radix sort takes
+        // longer for more; where points are compared, more cost nothing, and help if they lie along a curve.
+        let wanted = if ids.len() < FEW {
+            FINEST
+        } else {
+            (ids.len() / POINTS_A_CELL + 1).ilog(4) + 1
+        };
         let room = (u64::BITS - ROUND_BITS - self.index_bits) / 3;
-        let levels = ((ids.len() / POINTS_A_CELL + 1).ilog(4) + 1).min(room - room % 2);
+        let levels = wanted.min(room - room % 2);
         let grid = Grid::over(ids.iter().map(|&id| self.points[id]), levels);
         self.keys.clear();
         self.keys.extend(ids.iter().map(|&id| {
