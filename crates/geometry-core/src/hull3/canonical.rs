@@ -114,7 +114,8 @@ fn sort_pile(pile: &mut [[u32; 3]], buckets: &mut [u32], copy: &mut Vec<[u32; 3]
 
 /// Sorts triangles that need not move far.
 fn sort_by_insertion(triangles: &mut [[u32; 3]]) {
-    let key = |[first, second, _]: [u32; 3]| (u64::from(first) << 32) | u64::from(second);
+    let key =
+        |[first, second, third]: [u32; 3]| ((u64::from(first) << 32) | u64::from(second), third);
     for i in 1..triangles.len() {
         let triangle = triangles[i];
         let mut place = i;
