@@ -108,6 +108,9 @@ impl Part {
     }
 }
 
+/// A number with its interval is no longer; what is longer is a sentence that begins with one.
+const LONGEST_NUMBER: usize = 24;
+
 impl Entry {
     /// A cell that says `text`; between two pairs of stars it is the best of its row.
     pub fn new(text: &str) -> Self {
@@ -117,7 +120,8 @@ impl Entry {
         let plain = bold.unwrap_or(text).replace("\\|", "|");
         let begins = plain.trim_start_matches(['-', '+', '−']).chars().next();
         Self {
-            number: begins.is_some_and(|first| first.is_ascii_digit()),
+            number: begins.is_some_and(|first| first.is_ascii_digit())
+                && plain.chars().count() <= LONGEST_NUMBER,
             strong: bold.is_some(),
             failed: false,
             text: plain,
@@ -159,26 +163,6 @@ impl Table {
             columns: sheet.columns().to_vec(),
             rows: sheet.rows().iter().map(entries).collect(),
         }
-    }
-
-    /// The table without columns that say nothing.
-    #[must_use]
-    pub fn without_empty_columns(mut self) -> Self {
-        let says = |column: usize| self.rows.iter().any(|row| !row[column].text.is_empty());
-        let kept: Vec<bool> = (0..self.columns.len())
-            .map(|column| column == 0 || says(column))
-            .collect();
-        let keep = |place: &mut usize| {
-            *place += 1;
-            kept[*place - 1]
-        };
-        let mut place = 0;
-        self.columns.retain(|_| keep(&mut place));
-        for row in &mut self.rows {
-            let mut place = 0;
-            row.retain(|_| keep(&mut place));
-        }
-        self
     }
 
     /// As Markdown.

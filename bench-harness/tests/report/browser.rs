@@ -1,5 +1,7 @@
 //! A headless Chromium opens the report from disk, and has nothing to say about it.
 
+#![expect(clippy::print_stdout, reason = "a test that is skipped says so")]
+
 use crate::material::page;
 use std::fs;
 use std::path::Path;

@@ -3,6 +3,7 @@
 mod browser;
 mod content;
 #[path = "../analysis/made_up.rs"]
+#[allow(dead_code, reason = "the tests of commands write it too")]
 mod made_up;
 mod markup;
 mod material;

@@ -1,10 +1,10 @@
 //! Who fails where: every engine on every point set, and what was found.
 
-use crate::analysis::cmp::cmp;
+use crate::analysis::cmp::{Uncertified, cmp};
 use crate::records::{Cell, Outcome, Run};
 use crate::report::document::{Entry, Part, Section, Table};
 use crate::report::{Material, command};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 pub(in crate::report) fn section(material: &Material<'_>) -> Option<Section> {
     let run = material.run;
@@ -91,22 +91,35 @@ fn entry(outcomes: &[Outcome]) -> Entry {
     }
 }
 
-/// What was found, but for engines that are not built.
+/// What was found, but for engines that are not built: the sizes of a point set that have the same finding together.
 fn findings(run: &Run) -> Option<Table> {
-    let mut table = Table::new(
-        "What was found",
-        &["engine", "case", "outcome", "realisations", "finding"],
-    );
+    let columns = ["engine", "set", "n", "outcome", "realisations", "finding"];
+    let mut table = Table::new("What was found", &columns);
     let mut rows = cmp(run, None).uncertified;
     rows.retain(|row| row.outcome != Outcome::Absent.to_string());
-    rows.sort_by(|a, b| (&a.engine, &a.case).cmp(&(&b.engine, &b.case)));
+    let mut alike: BTreeMap<[&str; 5], Vec<&Uncertified>> = BTreeMap::new();
     for row in &rows {
-        table.push(&[
+        let case = &row.case;
+        let key = [
             &row.engine,
-            &row.case.to_string(),
+            &case.definition,
+            &case.set,
             &row.outcome,
-            &row.realisations.to_string(),
             &row.finding,
+        ];
+        alike.entry(key.map(String::as_str)).or_default().push(row);
+    }
+    for ([engine, definition, set, outcome, finding], rows) in &alike {
+        let sizes: BTreeSet<usize> = rows.iter().map(|row| row.case.n).collect();
+        let sizes: Vec<String> = sizes.iter().map(ToString::to_string).collect();
+        let realisations: usize = rows.iter().map(|row| row.realisations).sum();
+        table.push(&[
+            engine,
+            &format!("{definition}/{set}"),
+            &sizes.join(", "),
+            outcome,
+            &realisations.to_string(),
+            finding,
         ]);
     }
     (!table.rows.is_empty()).then_some(table)

@@ -83,7 +83,7 @@ fn not_there(run: &Run) -> Option<Part> {
     let names: Vec<&str> = names.into_iter().collect();
     (!names.is_empty()).then(|| {
         Part::text(format!(
-            "Not built on this machine: {}. `hullbench peers build` builds them.",
+            "Not built on this machine: {}. They are built by: hullbench peers build.",
             names.join(", ")
         ))
     })
