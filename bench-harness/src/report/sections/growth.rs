@@ -37,7 +37,7 @@ pub(in crate::report) fn counts(material: &Material<'_>) -> Result<Option<Sectio
     let mut commands = Vec::new();
     let mut parts = Vec::new();
     for counter in material.counters {
-        let tables = per_point(run, counter);
+        let tables = sums(run, counter);
         if tables.is_empty() {
             continue;
         }
@@ -64,7 +64,9 @@ pub(in crate::report) fn counts(material: &Material<'_>) -> Result<Option<Sectio
         ),
     };
     let first = format!(
-        "Exact integers of separate runs, without a clock: the same on every machine. Means over the realisations.{more}"
+        "Exact integers of separate runs, without a clock: the same on every machine. Means over the realisations; \
+         a realisation of small n is a batch of sets, and its count is the sum over them, so that it does not compare with \
+         one of larger n.{more}"
     );
     parts.insert(0, Part::text(first));
     Ok(Some(Section {
@@ -112,8 +114,8 @@ fn growing(run: &Run, fits: &Fits) -> Result<Vec<Part>> {
     Ok(parts)
 }
 
-/// The mean count a point, a table a definition.
-fn per_point(run: &Run, counter: &str) -> Vec<Table> {
+/// The mean count, a table a definition.
+fn sums(run: &Run, counter: &str) -> Vec<Table> {
     let mut values: BTreeMap<_, Vec<f64>> = BTreeMap::new();
     let of = |count: &&Count| count.counter == counter && count.value > 0;
     for count in run.counts.iter().filter(of) {
@@ -124,10 +126,10 @@ fn per_point(run: &Run, counter: &str) -> Vec<Table> {
         matrix(
             run,
             id,
-            &format!("{id}: {counter} a point"),
+            &format!("{id}: {counter}, summed over the sets of a realisation"),
             |case, engine| {
                 let counts = values.get(&(case, engine))?;
-                Some(Entry::new(&short(mean(counts) / case.n.max(1) as f64)))
+                Some(Entry::new(&short(mean(counts))))
             },
         )
     });

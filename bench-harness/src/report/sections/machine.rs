@@ -8,11 +8,12 @@ use crate::report::document::{Part, Section, Table};
 const METHOD: [&str; 8] = [
     "Every engine is a process of its own and answers the same pipe protocol; points are handed over and converted while \
      no clock runs.",
-    "A call goes from points in memory to the result in memory. Reading, converting and looking up indices are not timed.",
+    "A call goes from points in memory to the result in memory. Its checks of the input are timed; reading, converting and looking up indices are not.",
     "Each result is compared with a hull that an independent checker has proved; one that differs is checked itself. Only \
      certified cells are timed.",
     "A round takes one sample of every engine in an order shuffled anew, so that what disturbs the machine disturbs all.",
-    "A sample is as many calls in a row as last two milliseconds or more.",
+    "A realisation of small n is a batch of sets that are called in turn. A sample is as many passes as last two milliseconds \
+     or more; times are those of one call.",
     "Ratios are of samples of the same round; intervals come from a bootstrap of realisations and of rounds within them.",
     "One engine is measured twice, under two names: the A/A band is how much a program differs from itself.",
     "Counts come from runs of their own, which are not timed.",
