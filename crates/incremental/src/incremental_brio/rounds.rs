@@ -24,10 +24,12 @@ pub(super) fn order(points: Points<'_, 3>, first: [u32; 4]) -> Vec<u32> {
     let mut order = Vec::with_capacity(points.len() + first.len());
     order.extend(first);
     order.extend(points.ids());
-    // From the greatest, so that an index to be removed is still in its place.
-    let mut second_copies = first;
-    second_copies.sort_unstable();
-    for id in second_copies.into_iter().rev() {
+    // From the greatest, so that an index to be removed is still in its place. A kernel that contradicts itself may have
+    // named one twice.
+    let mut removed = first.to_vec();
+    removed.sort_unstable();
+    removed.dedup();
+    for id in removed.into_iter().rev() {
         order.swap_remove(first.len() + id as usize);
     }
     let rounds = (points.len() as u32 / FIRST_ROUND).max(1).ilog(4);
