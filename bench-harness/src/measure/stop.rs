@@ -81,7 +81,7 @@ pub(super) fn visit(
     }
     time(stop, &realisation, rounds, &mut contestants, ledger)?;
     if wants(Measure::Counts) {
-        count(stop, &mut contestants, ledger)?;
+        count(stop, &realisation, &mut contestants, ledger)?;
     }
     for contestant in contestants {
         contestant.session.quit(POLITE);
@@ -224,13 +224,23 @@ fn sample(stop: &Stop<'_>, contestant: &mut Contestant) -> Result<u64, Fault> {
     Ok(timed.nanoseconds.iter().sum())
 }
 
-/// Exact integers, in runs of their own. A twin counts what its engine does.
-fn count(stop: &Stop<'_>, contestants: &mut [Contestant], ledger: &mut Ledger) -> Result<()> {
+/// Exact integers, in runs of their own on the first set alone: a count is that of one call. A twin counts what its
+/// engine does.
+fn count(
+    stop: &Stop<'_>,
+    realisation: &Realisation,
+    contestants: &mut [Contestant],
+    ledger: &mut Ledger,
+) -> Result<()> {
+    let problem = stop.definition.problem;
+    let one = &realisation.sets[..1];
     for contestant in contestants {
         if twin_of(&contestant.subject.engine).is_some() || ledger.is_counted(&contestant.subject) {
             continue;
         }
-        match contestant.session.counters(limit(stop)) {
+        let session = &mut contestant.session;
+        let loaded = session.load_sets(problem, Convention::Extreme, one, limit(stop));
+        match loaded.and_then(|()| session.counters(limit(stop))) {
             Ok(counters) => {
                 let rows = counters.into_iter().map(|(counter, value)| Count {
                     subject: contestant.subject.clone(),

@@ -37,7 +37,7 @@ pub(in crate::report) fn counts(material: &Material<'_>) -> Result<Option<Sectio
     let mut commands = Vec::new();
     let mut parts = Vec::new();
     for counter in material.counters {
-        let tables = sums(run, counter);
+        let tables = mean_counts(run, counter);
         if tables.is_empty() {
             continue;
         }
@@ -64,9 +64,8 @@ pub(in crate::report) fn counts(material: &Material<'_>) -> Result<Option<Sectio
         ),
     };
     let first = format!(
-        "Exact integers of separate runs, without a clock: the same on every machine. Means over the realisations; \
-         a realisation of small n is a batch of sets, and its count is the sum over them, so that it does not compare with \
-         one of larger n.{more}"
+        "Exact integers of separate runs, without a clock: the same on every machine. Each is that of one call; \
+         means over the realisations.{more}"
     );
     parts.insert(0, Part::text(first));
     Ok(Some(Section {
@@ -115,7 +114,7 @@ fn growing(run: &Run, fits: &Fits) -> Result<Vec<Part>> {
 }
 
 /// The mean count, a table a definition.
-fn sums(run: &Run, counter: &str) -> Vec<Table> {
+fn mean_counts(run: &Run, counter: &str) -> Vec<Table> {
     let mut values: BTreeMap<_, Vec<f64>> = BTreeMap::new();
     let of = |count: &&Count| count.counter == counter && count.value > 0;
     for count in run.counts.iter().filter(of) {
@@ -123,15 +122,10 @@ fn sums(run: &Run, counter: &str) -> Vec<Table> {
         values.entry(key).or_default().push(count.value as f64);
     }
     let tables = run.definitions().into_iter().filter_map(|id| {
-        matrix(
-            run,
-            id,
-            &format!("{id}: {counter}, summed over the sets of a realisation"),
-            |case, engine| {
-                let counts = values.get(&(case, engine))?;
-                Some(Entry::new(&short(mean(counts))))
-            },
-        )
+        matrix(run, id, &format!("{id}: {counter}"), |case, engine| {
+            let counts = values.get(&(case, engine))?;
+            Some(Entry::new(&short(mean(counts))))
+        })
     });
     tables.collect()
 }
