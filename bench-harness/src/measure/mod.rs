@@ -13,13 +13,13 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`roster`] | who can take part |
-//! | [`plan`] | the stops of a run, in order |
-//! | [`realisation`] | the points of a stop |
-//! | [`judge`] | whether an answer is right, and how wrong a wrong one is |
-//! | [`stop`] | one stop: sessions, verdicts, rounds, counters |
-//! | [`ledger`] | what is recorded, and what is not to be done again |
-//! | [`warnings`] | what a reader should be careful about |
+//! | `roster` | who can take part |
+//! | `plan` | the stops of a run, in order |
+//! | `realisation` | the points of a stop |
+//! | `judge` | whether an answer is right, and how wrong a wrong one is |
+//! | `stop` | one stop: sessions, verdicts, rounds, counters |
+//! | `ledger` | what is recorded, and what is not to be done again |
+//! | `warnings` | what a reader should be careful about |
 
 mod judge;
 mod ledger;

@@ -9,7 +9,7 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`document`] | what a report consists of: sections, tables, figures |
+//! | [`mod@document`] | what a report consists of: sections, tables, figures |
 //! | [`asked`] | the questions of the run's definitions, and who was left out |
 //! | [`papers`] | the verdicts on the papers, from a folder of reports |
 //! | [`matrix`] | a row a case, a column an engine |
