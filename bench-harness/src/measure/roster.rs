@@ -55,13 +55,7 @@ impl Roster {
         if self.guests.iter().any(|guest| guest.name == name) {
             return Ok(());
         }
-        match catalogue::find(name) {
-            None => Err(format!("no engine is called '{name}'")),
-            Some(entry) if !entry.problems().contains(&problem) => {
-                Err(format!("'{name}' does not compute {problem}"))
-            }
-            Some(_) => Ok(()),
-        }
+        catalogue::knows(name, problem)
     }
 
     /// How to start the engine `name`, or the one whose twin it is.
