@@ -50,6 +50,7 @@ pub(crate) fn page() -> String {
     let material = Material {
         run: &run(),
         asked: &asked,
+        targets: &[],
         papers: &papers(),
         counters: &["orient".to_owned()],
         baseline: None,

@@ -8,4 +8,5 @@ pub(super) mod overview;
 pub(super) mod ranking;
 pub(super) mod ratios;
 pub(super) mod side_by_side;
+pub(super) mod targets;
 pub(super) mod verdicts;
