@@ -46,6 +46,8 @@ pub(crate) enum Measure {
     Time,
     /// Exact integers, from runs of their own.
     Counts,
+    /// Instructions of a call, where valgrind is installed.
+    Instructions,
     /// Nothing beside what every cell says: that the hull is certified, and how many vertices it has.
     Sizes,
 }

@@ -20,9 +20,11 @@
 //! | `realisation` | the points of a stop |
 //! | `judge` | whether an answer is right, and how wrong a wrong one is |
 //! | `stop` | one stop: sessions, verdicts, rounds, counters |
+//! | `instructions` | instructions of a call, by valgrind |
 //! | `ledger` | what is recorded, and what is not to be done again |
 //! | `warnings` | what a reader should be careful about |
 
+mod instructions;
 mod judge;
 mod ledger;
 mod plan;

@@ -1,11 +1,11 @@
 //! One stop: every engine is judged, those that are certified are timed in turn, then counted.
 
-use super::Depth;
 use super::judge::{Judgement, Reference};
 use super::ledger::Ledger;
 use super::plan::Stop;
 use super::realisation::Realisation;
 use super::roster::Roster;
+use super::{Depth, instructions};
 use crate::definition::Measure;
 use crate::engine::client::Session;
 use crate::engine::fault::Fault;
@@ -16,6 +16,7 @@ use anyhow::Result;
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
+use std::collections::BTreeMap;
 use std::num::{NonZeroU32, NonZeroU64};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -47,9 +48,11 @@ pub(super) fn visit(
     } else {
         0
     };
-    let open = stop.engines.iter().filter(|engine| {
-        !locked(ledger).is_done(&subject(stop, engine), rounds, wants(Measure::Counts))
-    });
+    let wants_counts = wants(Measure::Counts) || wants(Measure::Instructions);
+    let open = stop
+        .engines
+        .iter()
+        .filter(|engine| !locked(ledger).is_done(&subject(stop, engine), rounds, wants_counts));
     let open: Vec<&String> = open.collect();
     if open.is_empty() {
         return Ok(());
@@ -81,8 +84,8 @@ pub(super) fn visit(
         locked(ledger).cell(cell)?;
     }
     time(stop, &realisation, rounds, &mut contestants, ledger)?;
-    if wants(Measure::Counts) {
-        count(stop, &realisation, &mut contestants, ledger)?;
+    if wants_counts {
+        count(stop, &realisation, roster, &mut contestants, ledger)?;
     }
     for contestant in contestants {
         contestant.session.quit(POLITE);
@@ -230,35 +233,51 @@ fn sample(stop: &Stop<'_>, contestant: &mut Contestant) -> Result<u64, Fault> {
     Ok(timed.nanoseconds.iter().sum())
 }
 
-/// Exact integers, in runs of their own on the first set alone: a count is that of one call. A twin counts what its
-/// engine does.
+/// Integers from runs of their own on the first set alone: a count is that of one call. A twin counts what its engine
+/// does.
 fn count(
     stop: &Stop<'_>,
     realisation: &Realisation,
+    roster: &Roster,
     contestants: &mut [Contestant],
     ledger: &Mutex<&mut Ledger>,
 ) -> Result<()> {
-    let problem = stop.definition.problem;
-    let one = &realisation.sets[..1];
     for contestant in contestants {
-        if twin_of(&contestant.subject.engine).is_some()
-            || locked(ledger).is_counted(&contestant.subject)
-        {
+        let subject = &contestant.subject;
+        if twin_of(&subject.engine).is_some() || locked(ledger).is_counted(subject) {
             continue;
         }
-        let session = &mut contestant.session;
-        let loaded = session.load_sets(problem, stop.definition.boundary, one, limit(stop));
-        match loaded.and_then(|()| session.counters(limit(stop))) {
-            Ok(counters) => {
-                let rows = counters.into_iter().map(|(counter, value)| Count {
-                    subject: contestant.subject.clone(),
-                    counter,
-                    value,
-                });
-                locked(ledger).counts(&contestant.subject, rows.collect())?;
+        let (problem, boundary) = (stop.definition.problem, stop.definition.boundary);
+        let mut counters = BTreeMap::new();
+        if stop.block.measure.contains(&Measure::Counts) {
+            let session = &mut contestant.session;
+            let one = &realisation.sets[..1];
+            let loaded = session.load_sets(problem, boundary, one, limit(stop));
+            match loaded.and_then(|()| session.counters(limit(stop))) {
+                Ok(counted) => counters.extend(counted),
+                Err(fault) => locked(ledger).failed_late(subject, &fault),
             }
-            Err(fault) => locked(ledger).failed_late(&contestant.subject, &fault),
         }
+        if stop.block.measure.contains(&Measure::Instructions) && roster.has_valgrind() {
+            let question = instructions::Question {
+                problem,
+                boundary,
+                set: &realisation.sets[0],
+                limit: limit(stop),
+            };
+            let launch = roster.launch(&subject.engine);
+            match launch.and_then(|launch| instructions::of_a_call(&launch, &question)) {
+                Ok(count) => _ = counters.insert(instructions::COUNTER.to_owned(), count),
+                Err(fault) => locked(ledger).uncounted(subject, &fault),
+            }
+        }
+        let row = |(counter, value)| Count {
+            subject: subject.clone(),
+            counter,
+            value,
+        };
+        let rows = counters.into_iter().map(row).collect();
+        locked(ledger).counts(subject, rows)?;
     }
     Ok(())
 }
