@@ -2,6 +2,7 @@
 
 use crate::analysis::cmp::cmp;
 use crate::analysis::targets::{Target, targets};
+use crate::commands::published::figures;
 use crate::commands::recorded::{load, unknown};
 use crate::commands::targets as known_targets;
 use crate::failure::Failure;
@@ -101,6 +102,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         run: &run,
         asked: &asked::of_run(&args.run)?,
         targets: &all,
+        figures: &figures()?,
         papers: &found,
         counters: &counters,
         baseline: baseline(args, &run),

@@ -27,6 +27,7 @@ pub mod picture;
 mod sections;
 pub mod splice;
 
+use crate::analysis::published::Figure;
 use crate::analysis::targets::Target;
 use crate::records::Run;
 use anyhow::Result;
@@ -43,6 +44,8 @@ pub struct Material<'a> {
     pub asked: &'a [Asked],
     /// What the fast methods are meant to take.
     pub targets: &'a [Target],
+    /// Times that the authors of other programs print.
+    pub figures: &'a [Figure],
     /// The papers that were reproduced.
     pub papers: &'a [Paper],
     /// The counts to show.
@@ -61,6 +64,7 @@ pub fn document(material: &Material<'_>) -> Result<Document> {
         Some(sections::overview::section(material)),
         sections::verdicts::section(material),
         sections::targets::section(material),
+        sections::published::section(material),
         sections::side_by_side::section(material),
         sections::ranking::section(material),
         sections::failures::section(material),

@@ -51,6 +51,7 @@ pub(crate) fn page() -> String {
         run: &run(),
         asked: &asked,
         targets: &[],
+        figures: &[],
         papers: &papers(),
         counters: &["orient".to_owned()],
         baseline: None,

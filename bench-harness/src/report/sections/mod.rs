@@ -5,6 +5,7 @@ pub(super) mod growth;
 pub(super) mod machine;
 pub(super) mod memory;
 pub(super) mod overview;
+pub(super) mod published;
 pub(super) mod ranking;
 pub(super) mod ratios;
 pub(super) mod side_by_side;
