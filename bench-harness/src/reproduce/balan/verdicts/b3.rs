@@ -100,7 +100,7 @@ fn expected_tests(distribution: &str, n: usize) -> Option<f64> {
 mod tests {
     use super::super::made_up;
     use super::*;
-    use crate::reproduce::space::rows::CountRow;
+    use crate::reproduce::rows::CountRow;
 
     fn verdict(tests: impl Fn(&str, f64) -> f64 + Copy) -> Verdict {
         let mut records = Records::default();

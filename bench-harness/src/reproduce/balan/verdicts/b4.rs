@@ -3,8 +3,8 @@
 use super::{Outcome, Part, Verdict, all_of};
 use crate::reproduce::balan::derived::{plane_tests, runs};
 use crate::reproduce::balan::records::Records;
+use crate::reproduce::rows::CountRow;
 use crate::reproduce::space::growth::{against_n, at_largest, groups, is_n_log_n, upper_decades};
-use crate::reproduce::space::rows::CountRow;
 use crate::stats::line::{Line, fit_on_log};
 use crate::stats::summary::{mean, standard_error};
 

@@ -1,10 +1,10 @@
 //! B-5: the worst order of insertion.
 
 use super::{Outcome, Part, Verdict, all_of};
-use crate::reproduce::balan::experiments::orders::{AS_GIVEN, SHUFFLED};
 use crate::reproduce::balan::records::Records;
+use crate::reproduce::balan::studies::orders::{AS_GIVEN, SHUFFLED};
+use crate::reproduce::rows::CountRow;
 use crate::reproduce::space::growth::{against_n, at_largest, does_not_rise, grows_as};
-use crate::reproduce::space::rows::CountRow;
 
 pub(super) fn judge(records: &Records) -> Verdict {
     let facets = |order: &'static str| {

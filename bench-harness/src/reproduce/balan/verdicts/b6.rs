@@ -3,10 +3,10 @@
 use super::{Part, Verdict, all_of};
 use crate::reproduce::balan::derived::{plane_tests, runs, triangles};
 use crate::reproduce::balan::records::Records;
+use crate::reproduce::rows::CountRow;
 use crate::reproduce::space::growth::{
     against_n, at_largest, does_not_rise, is_n_log_n, range, upper_decades,
 };
-use crate::reproduce::space::rows::CountRow;
 use crate::stats::line::{Line, fit_on_log};
 
 /// The paper's program.

@@ -1,8 +1,8 @@
 //! Figures 1 and 2: the convex hull peels of 100 random points and of an oblique lattice.
 
 use crate::reproduce::green_silverman::definition::RandomData;
-use crate::reproduce::green_silverman::experiments::layers_method;
 use crate::reproduce::green_silverman::sets::PointSet;
+use crate::reproduce::green_silverman::studies::layers_method;
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::plot::{
     Entry, LEGEND, PALETTE, Stroke, drawing, legend, number as tick,

@@ -25,7 +25,7 @@ pub(super) fn judge(records: &Records, _: &Published) -> Verdict {
 
 /// The rows whose stack was watched.
 fn watched(records: &Records) -> impl Iterator<Item = &PeelRow> {
-    records.peels.iter().filter(|row| row.storage > 0)
+    records.own.peels.iter().filter(|row| row.storage > 0)
 }
 
 fn bound(records: &Records) -> Part {
@@ -97,7 +97,7 @@ mod tests {
                 for replicate in 0..4 {
                     let factor = 1.0 + spread * (replicate as f64 - 1.5);
                     let storage = ((n as f64).powf(exponent) * factor) as u64;
-                    records.peels.push(PeelRow {
+                    records.own.peels.push(PeelRow {
                         distribution: distribution.to_owned(),
                         n,
                         replicate,

@@ -18,6 +18,7 @@ pub(super) fn judge(records: &Records, _: &Published) -> Verdict {
 
 fn rows<'a>(records: &'a Records, boundary: &'a str) -> Vec<&'a RingRow> {
     records
+        .own
         .rings
         .iter()
         .filter(|row| row.boundary == boundary)
@@ -66,6 +67,7 @@ fn of(hits: usize, all: usize) -> Outcome {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reproduce::green_silverman::records::Studied;
 
     fn verdict(all: &str, extreme: &str, certified: bool) -> Outcome {
         let row = |boundary: &str, rings: &str| RingRow {
@@ -76,10 +78,10 @@ mod tests {
             rings: rings.into(),
             certified,
         };
-        let records = Records {
+        let records = Records::from(Studied {
             rings: vec![row("all", all), row("extreme", extreme)],
-            ..Records::default()
-        };
+            ..Studied::default()
+        });
         judge(&records, &Published::load().expect("valid")).outcome
     }
 

@@ -36,6 +36,7 @@ pub(super) fn judge(records: &Records, _: &Published) -> Verdict {
 fn exponent(records: &Records, what: &str, target: f64, quantity: fn(&PeelRow) -> u64) -> Part {
     let what = format!("disc: {what} grow as n to the {target:.3}");
     let rows = records
+        .own
         .peels
         .iter()
         .filter(|row| row.distribution == "disc");
@@ -66,6 +67,7 @@ fn exponent(records: &Records, what: &str, target: f64, quantity: fn(&PeelRow) -
 fn constants(records: &Records) -> Option<String> {
     let disc = || {
         records
+            .own
             .peels
             .iter()
             .filter(|row| row.distribution == "disc")
@@ -99,7 +101,7 @@ mod tests {
             for replicate in 0..4 {
                 let factor = 1.0 + spread * (replicate as f64 - 1.5);
                 let power = |exponent: f64| (10.0 * (n as f64).powf(exponent) * factor) as u64;
-                records.peels.push(PeelRow {
+                records.own.peels.push(PeelRow {
                     distribution: "disc".to_owned(),
                     n,
                     replicate,
