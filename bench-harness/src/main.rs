@@ -3,6 +3,7 @@
 //! This file parses the command line and dispatches; the work is in the library of the same package.
 
 use bench_harness::commands::{check, delaunay, engine, hull, methods, peel, peers, points, sweep};
+use bench_harness::commands::{claims, published};
 use bench_harness::commands::{cmp, diff, export, fit, plot, rank, report, table, targets};
 use bench_harness::failure::Failure;
 use bench_harness::output::target::note;
@@ -83,6 +84,10 @@ enum Command {
     Table(table::Args),
     /// Whether the fast methods take no longer than they are meant to
     Targets(targets::Args),
+    /// Times that the authors of other programs print, beside the same programs here
+    Published(published::Args),
+    /// The verdicts on the papers' claims, from the reports
+    Claims(claims::Args),
     /// Growth and ratios of a recorded run as drawings
     Plot(plot::Args),
     /// A recorded run as one HTML file, and its tables in a Markdown file
@@ -115,6 +120,8 @@ fn main() -> ExitCode {
         Command::Fit(args) => fit::run(&args),
         Command::Table(args) => table::run(&args),
         Command::Targets(args) => targets::run(&args),
+        Command::Published(args) => published::run(&args),
+        Command::Claims(args) => claims::run(&args),
         Command::Plot(args) => plot::run(&args),
         Command::Report(args) => report::run(&args),
         Command::Export(args) => export::run(&args),

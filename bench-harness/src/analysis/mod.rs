@@ -9,6 +9,7 @@
 //! | [`table`] | times and counts in the layout of a paper |
 //! | [`plot`] | growth and ratios as drawings |
 //! | [`targets`] | do the fast methods take no longer than they are meant to |
+//! | [`published`] | how do times that others print compare with the same programs here |
 //! | [`export`] | the times in formats that other tools read |
 //! | [`band`] | how much does a program differ from itself |
 //! | [`compare`] | two engines on one case, round by round |
@@ -23,6 +24,7 @@ pub mod diff;
 pub mod export;
 pub mod fit;
 pub mod plot;
+pub mod published;
 pub mod rank;
 pub mod table;
 pub mod targets;

@@ -1,12 +1,15 @@
 //! Which engine is fastest over all cases: the geometric mean of its ratios to the fastest engine of each case, and how
 //! often it is that one.
 //!
+//! Yardsticks compute no hull and are not ranked.
+//!
 //! An engine that was not measured on every case is compared on those it was measured on, which may be the easy ones:
 //! its row says how many.
 
 use super::band::Band;
 use super::compare::Comparison;
 use super::{ratio_text, text, typical_time};
+use crate::engine::yardstick::Yardstick;
 use crate::output::page::{Page, Section, json};
 use crate::output::sheet::Sheet;
 use crate::records::{Case, Run};
@@ -47,9 +50,9 @@ pub struct Rank {
 /// Ranks the engines of a run.
 pub fn rank(run: &Run) -> Rank {
     let band = Band::of(&[run]);
-    let timed = |case: &&Case| !run.timed(case).is_empty();
+    let timed = |case: &&Case| runners(run, case).next().is_some();
     let cases: Vec<&Case> = run.cases().into_iter().filter(timed).collect();
-    let engines: BTreeSet<&str> = cases.iter().flat_map(|case| run.timed(case)).collect();
+    let engines: BTreeSet<&str> = cases.iter().flat_map(|case| runners(run, case)).collect();
     let mut ranked: Vec<Ranked> = engines
         .iter()
         .filter_map(|engine| rank_engine(run, &cases, engine, band))
@@ -100,9 +103,13 @@ fn rank_engine(run: &Run, cases: &[&Case], engine: &str, band: Band) -> Option<R
 /// The engine with the shortest typical time.
 fn fastest<'a>(run: &'a Run, case: &Case) -> Option<&'a str> {
     let time = |engine: &str| typical_time(run, case, engine).unwrap_or(f64::INFINITY);
-    let mut engines = run.timed(case);
-    engines.sort_by(|a, b| time(a).total_cmp(&time(b)));
-    engines.first().copied()
+    runners(run, case).min_by(|a, b| time(a).total_cmp(&time(b)))
+}
+
+/// The engines that were timed on `case`, without yardsticks.
+fn runners<'a>(run: &'a Run, case: &Case) -> impl Iterator<Item = &'a str> {
+    let is_engine = |name: &&str| Yardstick::find(name).is_none();
+    run.timed(case).into_iter().filter(is_engine)
 }
 
 impl Rank {

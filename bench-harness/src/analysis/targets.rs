@@ -58,6 +58,8 @@ pub struct Row {
     pub best_other: Option<(String, f64)>,
     /// Peak memory of the call, in bytes.
     pub peak_bytes: Option<u64>,
+    /// The engine of others that is certified on the case and takes the least memory, and how much, in bytes.
+    pub least_other: Option<(String, u64)>,
 }
 
 /// The answer.
@@ -106,16 +108,23 @@ fn row(run: &Run, target: &Target) -> Row {
         ratio,
         best_other: ours.and_then(|ours| best_other(run, &case, ours)),
         peak_bytes: peak(run, &case, &target.engine),
+        least_other: others(run, &case)
+            .filter_map(|name| Some((name.to_owned(), peak(run, &case, name)?)))
+            .min_by_key(|(_, bytes)| *bytes),
         target: target.clone(),
     }
 }
 
-/// The fastest program of others.
-fn best_other(run: &Run, case: &Case, ours: f64) -> Option<(String, f64)> {
+/// The programs of others that were timed on `case`.
+fn others<'a>(run: &'a Run, case: &Case) -> impl Iterator<Item = &'a str> {
     let is_other = |name: &&str| hullkit::method(name).is_none() && Yardstick::find(name).is_none();
-    let others = run.timed(case).into_iter().filter(is_other);
-    let times =
-        others.filter_map(|name| Some((name.to_owned(), typical_time(run, case, name)? / ours)));
+    run.timed(case).into_iter().filter(is_other)
+}
+
+/// The fastest program of others, and its time over `ours`.
+fn best_other(run: &Run, case: &Case, ours: f64) -> Option<(String, f64)> {
+    let times = others(run, case)
+        .filter_map(|name| Some((name.to_owned(), typical_time(run, case, name)? / ours)));
     times.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
@@ -142,6 +151,7 @@ impl Targets {
             "met",
             "best other",
             "MB",
+            "least of others",
         ]);
         for row in &self.rows {
             let Target {
@@ -166,9 +176,11 @@ impl Targets {
                 at_most.to_string(),
                 word(row.met).to_owned(),
                 text(other.map(|(name, ratio)| format!("{name} {ratio:.1} times ours"))),
+                text(row.peak_bytes.map(megabytes)),
                 text(
-                    row.peak_bytes
-                        .map(|bytes| format!("{:.1}", bytes as f64 / 1e6)),
+                    row.least_other
+                        .as_ref()
+                        .map(|(name, bytes)| format!("{} MB ({name})", megabytes(*bytes))),
                 ),
             ]);
         }
@@ -182,7 +194,8 @@ impl Targets {
             preface: vec![
                 "A sort is `sort_unstable` of as many random doubles, a pass one reading of the points, both in the same \
                  rounds as the hulls; a peer's name as the unit is that peer's time. Times are from points in memory to \
-                 the canonical result, every one of it certified."
+                 the canonical result, every one of it certified. Memory is what a first call adds to the process, without the \
+                 points."
                     .to_owned(),
             ],
             sections: vec![Section {
@@ -195,6 +208,10 @@ impl Targets {
             headline: format!("{met} of {} targets met", self.rows.len()),
         }
     }
+}
+
+fn megabytes(bytes: u64) -> String {
+    format!("{:.1}", bytes as f64 / 1e6)
 }
 
 fn word(met: Met) -> &'static str {

@@ -22,13 +22,16 @@
 //! | [`plot`] | a run as drawings |
 //! | [`report`] | a run as one HTML file |
 //! | [`targets`] | whether the fast methods take no longer than they are meant to |
+//! | [`published`] | times that the authors of other programs print, beside the same programs here |
+//! | [`claims`] | the verdicts on the papers' claims |
 //! | [`export`] | a run for other tools |
 //!
 //! [`input`] says where points come from, [`select`] which method runs, [`claim`] reads the hulls of others, [`recorded`]
-//! loads runs.
+//! loads runs, `known` the small tables that are built in.
 
 pub mod check;
 pub mod claim;
+pub mod claims;
 pub mod cmp;
 pub mod delaunay;
 pub mod diff;
@@ -37,11 +40,13 @@ pub mod export;
 pub mod fit;
 pub mod hull;
 pub mod input;
+mod known;
 pub mod methods;
 pub mod peel;
 pub mod peers;
 pub mod plot;
 pub mod points;
+pub mod published;
 pub mod rank;
 pub mod recorded;
 pub mod report;

@@ -1,7 +1,10 @@
 //! `hullbench report`: a recorded run as one HTML file.
 
 use crate::analysis::cmp::cmp;
+use crate::analysis::targets::{Target, targets};
+use crate::commands::published::figures;
 use crate::commands::recorded::{load, unknown};
+use crate::commands::targets as known_targets;
 use crate::failure::Failure;
 use crate::output::atomic::{self, Existing};
 use crate::output::target::note;
@@ -23,7 +26,8 @@ With --papers, the verdicts on the papers and their tables beside ours.
 --splice replaces what stands in a Markdown file between the lines
   <!-- report:NAME -->
   <!-- /report:NAME -->
-by the table of the definition NAME: a row a point set and size, a column an engine, time over that of the baseline.
+by the table of the definition NAME: a row a point set and size, a column an engine, time over that of the baseline; the
+table of `hullbench targets` where NAME is targets.
 
 Examples:
   hullbench report runs/curated
@@ -32,6 +36,9 @@ Examples:
 
 Exit codes:
   0 done   2 usage   3 bad records or marks   4 a file could not be read or written";
+
+/// The name of the marks between which the table of targets stands.
+const TARGETS: &str = "targets";
 
 /// The arguments of `hullbench report`.
 #[derive(clap::Args, Clone, Debug)]
@@ -85,11 +92,17 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     for paper in &mut found {
         paper.report = seen_from(&output, &paper.report);
     }
-    let spliced = args.splice.as_deref().map(|path| spliced(path, &run, args));
+    let all = known_targets::all()?;
+    let spliced = args
+        .splice
+        .as_deref()
+        .map(|path| spliced(path, &run, &all, args));
     let spliced = spliced.transpose()?;
     let material = Material {
         run: &run,
         asked: &asked::of_run(&args.run)?,
+        targets: &all,
+        figures: &figures()?,
         papers: &found,
         counters: &counters,
         baseline: baseline(args, &run),
@@ -125,11 +138,20 @@ fn check_names(args: &Args, run: &Run) -> Result<(), Failure> {
 }
 
 /// The page at `path` with the tables of `run`, and how many they are.
-fn spliced(path: &Path, run: &Run, args: &Args) -> Result<(String, usize), Failure> {
+fn spliced(
+    path: &Path,
+    run: &Run,
+    all: &[Target],
+    args: &Args,
+) -> Result<(String, usize), Failure> {
     let page = fs::read_to_string(path)
         .map_err(|error| Failure::io(path.display(), &error, "check the name"))?;
     let answered = cmp(run, baseline(args, run));
     let table = |name: &str| {
+        if name == TARGETS {
+            let found = targets(run, all);
+            return Ok(found.page().long.markdown());
+        }
         let known = run.definitions();
         if !known.contains(&name) {
             return Err(format!(

@@ -1,11 +1,12 @@
 //! `hullbench targets`: whether the fast methods take no longer than they are meant to.
 
 use crate::analysis::targets::{Target, targets};
+use crate::commands::known::Known;
 use crate::commands::recorded::{deliver, load};
 use crate::failure::Failure;
 use crate::output::target::OutputArgs;
 use clap::ValueHint;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 The targets lie in data/definitions/fast/targets.csv; `hullbench measure fast` measures what they are about and prints
@@ -18,9 +19,10 @@ Examples:
 Exit codes:
   0 done   2 usage   3 bad records   4 a file could not be read or written";
 
-/// Where the targets lie in a checkout, and as built in.
-const FILE: &str = "data/definitions/fast/targets.csv";
-const BUILT_IN: &str = include_str!("../../../data/definitions/fast/targets.csv");
+const TARGETS: Known = Known {
+    path: "data/definitions/fast/targets.csv",
+    built_in: include_str!("../../../data/definitions/fast/targets.csv"),
+};
 
 /// The arguments of `hullbench targets`.
 #[derive(clap::Args, Clone, Debug)]
@@ -50,13 +52,5 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 ///
 /// [`Failure::Data`] with the line of a target that is not one; [`Failure::Io`].
 pub fn all() -> Result<Vec<Target>, Failure> {
-    let text = if Path::new(FILE).is_file() {
-        std::fs::read_to_string(FILE)
-            .map_err(|error| Failure::io(FILE, &error, "is this a whole checkout?"))?
-    } else {
-        BUILT_IN.to_owned()
-    };
-    let rows = csv::Reader::from_reader(text.as_bytes()).into_deserialize();
-    let rows: Result<Vec<Target>, csv::Error> = rows.collect();
-    rows.map_err(|error| Failure::Data(format!("{FILE}: {error}")))
+    TARGETS.rows()
 }

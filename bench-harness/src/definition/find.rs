@@ -17,7 +17,7 @@ pub(crate) struct Source {
     pub(crate) text: String,
 }
 
-/// Every definition in the folder `within` of `data/definitions`, by path.
+/// Every definition in the folder `within` of `data/definitions`, by path; none if there is no such folder.
 ///
 /// # Errors
 ///
@@ -26,7 +26,10 @@ pub(crate) fn all(within: &str) -> Result<Vec<Source>, Failure> {
     let checkout = Path::new(FOLDER);
     let mut found = BTreeMap::new();
     if checkout.is_dir() {
-        collect(&checkout.join(within), &mut found)?;
+        let folder = checkout.join(within);
+        if folder.is_dir() {
+            collect(&folder, &mut found)?;
+        }
     } else {
         for file in BUILT_IN.get_dir(within).into_iter().flat_map(Dir::files) {
             let path = format!("{FOLDER}/{}", file.path().display());

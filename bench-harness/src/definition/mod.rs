@@ -4,6 +4,7 @@
 //! id = "small-discs"                    # the file's name
 //! group = "curated"                     # asked for together by this name
 //! task = "hull2"
+//! boundary = "extreme"                  # or "all": which points of the boundary are vertices
 //! seed = 2026                           # every point set's seed is derived from it
 //! question = "Which hull is fastest on few points?"
 //!
@@ -26,13 +27,14 @@
 pub(crate) mod fault;
 pub(crate) mod find;
 
-use crate::engine::protocol::Problem;
+use crate::engine::catalogue;
+use crate::engine::protocol::{Convention, Problem};
 use crate::failure::Failure;
 use fault::Fault;
 use find::Source;
 use serde::Deserialize;
 use sha2::{Digest, Sha256};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::str::FromStr;
 use toml::Spanned;
 
@@ -44,13 +46,34 @@ pub(crate) enum Measure {
     Time,
     /// Exact integers, from runs of their own.
     Counts,
+    /// Instructions of a call, where valgrind is installed.
+    Instructions,
+    /// Nothing beside what every cell says: that the hull is certified, and how many vertices it has.
+    Sizes,
+}
+
+/// How much of a paper is to be run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Extent {
+    /// All of it.
+    Full,
+    /// As much as takes a minute.
+    Quick,
 }
 
 /// Whether an engine of that name computes this; if not, why.
 pub(crate) type Known<'a> = &'a dyn Fn(&str, Problem) -> Result<(), String>;
 
 /// The folders of definitions that anyone may run.
-const FOLDERS: [&str; 2] = ["curated", "fast"];
+const FOLDERS: [&str; 7] = [
+    "curated",
+    "fast",
+    "published",
+    "green-silverman-1979/full",
+    "day-1990/full",
+    "nathan-2015/full",
+    "balan-munjal-rao/full",
+];
 
 /// An experiment.
 #[derive(Clone, Debug)]
@@ -59,6 +82,8 @@ pub(crate) struct Definition {
     pub(crate) id: String,
     pub(crate) group: String,
     pub(crate) problem: Problem,
+    /// Which points of the boundary are vertices.
+    pub(crate) boundary: Convention,
     pub(crate) seed: u64,
     /// What it is to find out, in words.
     pub(crate) question: String,
@@ -100,6 +125,8 @@ struct Written {
     id: Spanned<String>,
     group: Spanned<String>,
     task: Problem,
+    #[serde(default)]
+    boundary: Convention,
     seed: u64,
     question: Spanned<String>,
     cells: Vec<WrittenBlock>,
@@ -151,6 +178,21 @@ impl Definition {
             }
         }
         Ok(all)
+    }
+
+    /// The definitions of the paper whose folder is `slug`.
+    ///
+    /// # Errors
+    ///
+    /// As [`Definition::at`].
+    pub(crate) fn of_paper(slug: &str, extent: Extent) -> Result<Vec<Self>, Failure> {
+        let folder = match extent {
+            Extent::Full => "full",
+            Extent::Quick => "quick",
+        };
+        let sources = find::all(&format!("{slug}/{folder}"))?;
+        let read = |source| Self::read(source, &catalogue::knows);
+        sources.iter().map(read).collect()
     }
 
     /// The definition in the file at `path`.
@@ -206,6 +248,7 @@ impl Definition {
             id: written.id.into_inner(),
             group: written.group.into_inner(),
             problem: written.task,
+            boundary: written.boundary,
             seed: written.seed,
             question: written.question.into_inner(),
             cells: cells?,
@@ -279,16 +322,22 @@ impl Reader<'_> {
         })
     }
 
-    /// No set may meet the same n twice: the records could not tell the two apart.
+    /// No engine may meet a set with the same n twice: the records could not tell the two apart. Where times are taken
+    /// no set may: those in one block only are taken side by side.
     fn distinct(&self, blocks: &[WrittenBlock]) -> Result<(), Fault> {
-        let mut seen = HashSet::new();
+        let mut met = HashSet::new();
+        let mut cells: HashMap<(&String, usize), bool> = HashMap::new();
         for block in blocks {
-            for (set, n) in block
-                .sets
-                .iter()
-                .flat_map(|set| block.n.iter().map(move |n| (set, n)))
-            {
-                if !seen.insert((set.as_ref(), *n.as_ref())) {
+            let is_timed = block.measure.iter().any(|m| *m.as_ref() == Measure::Time);
+            let sets = block.sets.iter();
+            for (set, n) in sets.flat_map(|set| block.n.iter().map(move |n| (set, n))) {
+                let cell = (set.as_ref(), *n.as_ref());
+                let before = cells.get(&cell).copied();
+                let side_by_side = before.is_none_or(|was_timed| !was_timed && !is_timed);
+                cells.insert(cell, is_timed);
+                let engines = block.engines.iter();
+                let mut new = engines.map(|engine| met.insert((cell, engine.as_ref())));
+                if !side_by_side || !new.all(|new| new) {
                     let what = format!(
                         "'{}' with n = {} stands here twice",
                         set.as_ref(),
@@ -384,6 +433,20 @@ jarvis-j1 = "slow"
         );
         assert_eq!(definition.left_out["jarvis-j1"], "slow");
         assert_eq!(definition.hash.len(), 64);
+    }
+
+    #[test]
+    fn only_untimed_cells_of_different_engines_may_be_repeated() {
+        let more = |engine: &str, measure: &str| {
+            let block = format!(
+                "[[cells]]\nsets = [\"disc\"]\nn = [100]\nengines = [\"{engine}\"]\nmeasure = [\"{measure}\"]\n\n[left_out]"
+            );
+            let counted = GOOD.replace("[\"time\"]", "[\"counts\"]");
+            parse(&counted.replace("[left_out]", &block))
+        };
+        assert!(more("graham", "sizes").is_ok());
+        assert!(more("graham", "time").is_err(), "not side by side");
+        assert!(more("eddy", "counts").is_err(), "twice");
     }
 
     #[test]

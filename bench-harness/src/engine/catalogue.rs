@@ -84,6 +84,21 @@ pub fn find(name: &str) -> Option<Entry> {
     all().find(|entry| entry.name() == name)
 }
 
+/// Whether the engine `name` computes `problem`.
+///
+/// # Errors
+///
+/// Why not, in words.
+pub fn knows(name: &str, problem: Problem) -> Result<(), String> {
+    match find(name) {
+        None => Err(format!("no engine is called '{name}'")),
+        Some(entry) if !entry.problems().contains(&problem) => {
+            Err(format!("'{name}' does not compute {problem}"))
+        }
+        Some(_) => Ok(()),
+    }
+}
+
 impl Entry {
     /// The name it is called by.
     pub fn name(&self) -> &'static str {

@@ -13,7 +13,6 @@
 //! covered once.
 
 use geometry_core::Hull3;
-use std::collections::{HashMap, HashSet};
 
 /// Checks that `triangles` cut up the facets of `hull`, a hull that is proved.
 ///
@@ -23,7 +22,7 @@ use std::collections::{HashMap, HashSet};
 ///
 /// # Cost
 ///
-/// O(m) expected for m corners in all, unless many triangles have three corners of high degree.
+/// O(m log m) for m corners in all, unless many triangles have three corners of high degree.
 ///
 /// ```
 /// use bench_harness::engine::cut::cuts_up;
@@ -37,22 +36,26 @@ use std::collections::{HashMap, HashSet};
 /// ```
 pub fn cuts_up(triangles: &[[u32; 3]], hull: &Hull3) -> Result<(), String> {
     let facets = Facets::of(hull);
-    let mut edges = HashSet::with_capacity(3 * triangles.len());
-    for &[a, b, c] in triangles {
-        facets.find([a, b, c])?;
-        for edge in [(a, b), (b, c), (c, a)] {
-            if !edges.insert(edge) {
-                return Err(format!(
-                    "two triangles have the edge from {} to {}",
-                    edge.0, edge.1
-                ));
-            }
-        }
+    for &triangle in triangles {
+        facets.find(triangle)?;
     }
-    match edges.iter().find(|(a, b)| !edges.contains(&(*b, *a))) {
-        Some((a, b)) => Err(format!(
-            "one triangle only has the edge between {a} and {b}"
-        )),
+    let around = |&[a, b, c]: &[u32; 3]| [(a, b), (b, c), (c, a)];
+    let mut edges: Vec<(u32, u32)> = triangles.iter().flat_map(around).collect();
+    edges.sort_unstable();
+    if let Some(twice) = edges.windows(2).find(|pair| pair[0] == pair[1]) {
+        let (a, b) = twice[0];
+        return Err(format!("two triangles have the edge from {a} to {b}"));
+    }
+    let mut back: Vec<(u32, u32)> = edges.iter().map(|&(a, b)| (b, a)).collect();
+    back.sort_unstable();
+    match edges.iter().zip(&back).find(|(edge, back)| edge != back) {
+        // The smaller of the two has no partner in the other list.
+        Some((edge, back)) => {
+            let (a, b) = edge.min(back);
+            Err(format!(
+                "one triangle only has the edge between {a} and {b}"
+            ))
+        }
         None if triangles.is_empty() && hull.dimension() == Some(3) => Err("no triangles".into()),
         None => Ok(()),
     }
@@ -60,30 +63,56 @@ pub fn cuts_up(triangles: &[[u32; 3]], hull: &Hull3) -> Result<(), String> {
 
 /// Where each vertex is on which facets.
 struct Facets {
-    /// For each vertex the facets it is on, and its place there.
-    places: HashMap<u32, Vec<(usize, usize)>>,
+    /// Where the places of each point begin in `places`, and at the end where they end.
+    starts: Vec<u32>,
+    /// For each vertex the facets it is on, ascending, and its place there.
+    places: Vec<(usize, usize)>,
 }
 
 impl Facets {
     fn of(hull: &Hull3) -> Self {
-        let mut places: HashMap<u32, Vec<(usize, usize)>> = HashMap::with_capacity(hull.len());
+        let points = hull
+            .vertices()
+            .iter()
+            .max()
+            .map_or(0, |&id| id as usize + 1);
+        let mut starts = vec![0; points + 1];
+        for &corner in hull.facets().flatten() {
+            starts[corner as usize + 1] += 1;
+        }
+        for point in 0..points {
+            starts[point + 1] += starts[point];
+        }
+        let mut next = starts.clone();
+        let mut places = vec![(0, 0); starts[points] as usize];
         for (facet, corners) in hull.facets().enumerate() {
             for (place, &corner) in corners.iter().enumerate() {
-                places.entry(corner).or_default().push((facet, place));
+                let next = &mut next[corner as usize];
+                places[*next as usize] = (facet, place);
+                *next += 1;
             }
         }
-        Self { places }
+        Self { starts, places }
+    }
+
+    /// The facets that the point `id` is on, and its place there; none if it is no vertex.
+    fn of_point(&self, id: u32) -> &[(usize, usize)] {
+        let start = self.starts.get(id as usize);
+        let end = self.starts.get(id as usize + 1);
+        match (start, end) {
+            (Some(&start), Some(&end)) => &self.places[start as usize..end as usize],
+            _ => &[],
+        }
     }
 
     /// Finds the facet that `triangle` is on, facing the same way.
     fn find(&self, triangle: [u32; 3]) -> Result<usize, String> {
         let mut corners = [(0, &[][..]); 3];
         for (corner, id) in corners.iter_mut().zip(triangle) {
-            let places = self.places.get(&id);
-            *corner = (
-                id,
-                places.ok_or_else(|| format!("corner {id} is no vertex of the hull"))?,
-            );
+            *corner = (id, self.of_point(id));
+            if corner.1.is_empty() {
+                return Err(format!("corner {id} is no vertex of the hull"));
+            }
         }
         // Fewest facets first.
         let first = (0..3).min_by_key(|&i| corners[i].1.len()).unwrap_or(0);

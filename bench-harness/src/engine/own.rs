@@ -1,7 +1,7 @@
 //! Our registered methods as engines.
 //!
 //! What is timed is what a user pays for `hullkit::convex_hull_2d(&points)` and its like: the check that every
-//! coordinate is finite, [`Points::new`], then the `exact` instance of the method; a slice in, the canonical value out.
+//! coordinate is finite included, the `unseen` instance of the method; a slice in, the canonical value out.
 //! Counts come from the `tallied` instance, in a run of their own, and are summed over the sets.
 
 use super::answer::Answer;
@@ -56,16 +56,16 @@ impl Own {
     fn sample(&self, run: &Run) -> Result<(Vec<u64>, Vec<Answer>), String> {
         match (self.method.task, self.batch()?) {
             (Task::PlanarHull(task), Batch::Plane(sets, boundary)) => {
-                sample(run, sets, |set| (task.exact)(Points::new(set)?, *boundary))
+                sample(run, sets, |set| (task.unseen)(set, *boundary))
             }
             (Task::PlanarLayers(task), Batch::Plane(sets, boundary)) => {
-                sample(run, sets, |set| (task.exact)(Points::new(set)?, *boundary))
+                sample(run, sets, |set| (task.unseen)(set, *boundary))
             }
             (Task::Delaunay(task), Batch::Plane(sets, _)) => {
-                sample(run, sets, |set| (task.exact)(Points::new(set)?))
+                sample(run, sets, |set| (task.unseen)(set))
             }
             (Task::SpatialHull(task), Batch::Space(sets)) => {
-                sample(run, sets, |set| (task.exact)(Points::new(set)?))
+                sample(run, sets, |set| (task.unseen)(set))
             }
             _ => Err("no such run".into()),
         }

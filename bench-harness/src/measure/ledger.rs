@@ -166,6 +166,15 @@ impl Ledger {
         });
     }
 
+    /// An engine whose instructions could not be counted.
+    pub(super) fn uncounted(&mut self, subject: &Subject, fault: &Fault) {
+        self.warnings.push(Warning {
+            subject: subject.clone(),
+            warning: format!("instructions not counted: {fault}"),
+            remedy: "compile the engine without AVX-512, which valgrind does not know".to_owned(),
+        });
+    }
+
     /// An engine introduced itself.
     pub(super) fn met(&mut self, name: &str, receipt: &Receipt) {
         let stamp = EngineStamp {

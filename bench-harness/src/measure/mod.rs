@@ -9,6 +9,8 @@
 //!     for each engine: counters           -> counts.csv
 //! ```
 //!
+//! Stops where no time is taken go first, on all cores.
+//!
 //! An interrupted run is gone on with by the same command: what is recorded is not done again.
 //!
 //! | module | holds |
@@ -18,9 +20,11 @@
 //! | `realisation` | the points of a stop |
 //! | `judge` | whether an answer is right, and how wrong a wrong one is |
 //! | `stop` | one stop: sessions, verdicts, rounds, counters |
+//! | `instructions` | instructions of a call, by valgrind |
 //! | `ledger` | what is recorded, and what is not to be done again |
 //! | `warnings` | what a reader should be careful about |
 
+mod instructions;
 mod judge;
 mod ledger;
 mod plan;
@@ -34,11 +38,14 @@ use crate::failure::Failure;
 use crate::output::target::to_stdout;
 use crate::progress::{Progress, say};
 use crate::records::{Outcome, Run};
-use crate::{analysis, commands};
+use crate::{analysis, commands, parallel};
 use anyhow::Result;
 use ledger::Ledger;
+use plan::Stop;
 use roster::{Guest, Roster};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 const EXAMPLES: &str = "\
@@ -131,21 +138,58 @@ fn run(args: &Args, depth: Depth) -> Result<()> {
         .clone()
         .unwrap_or_else(|| PathBuf::from("runs").join(args.names.join("+")));
     let mut ledger = Ledger::open(&folder, &definitions, &command(args, depth))?;
-    let progress = Progress::start("measure", stops.len());
-    for stop in &stops {
-        if args
-            .budget
+    let is_used_up = || {
+        args.budget
             .is_some_and(|budget| started.elapsed() >= budget)
-        {
-            ledger.note(&format!("the budget is used up before {}", stop.name()));
-            break;
-        }
-        stop::visit(stop, depth, &roster, &mut ledger)?;
-        progress.finished(&stop.name());
+    };
+    let left = go_round(&stops, depth, &roster, &mut ledger, &is_used_up)?;
+    if left > 0 {
+        ledger.note(&format!("the budget is used up with {left} stops left"));
     }
-    drop(progress);
     ledger.close()?;
     summary(&ledger)
+}
+
+/// Measures all of `definitions` into the new or interrupted run in `folder`, on behalf of `command`.
+///
+/// # Errors
+///
+/// As [`measure`].
+pub(crate) fn run_into(folder: &Path, definitions: &[Definition], command: &str) -> Result<Run> {
+    let roster = Roster::new(&[])?;
+    let stops = plan::stops(definitions, &plan::Selection::default());
+    let mut ledger = Ledger::open(folder, definitions, command)?;
+    go_round(&stops, Depth::Measure, &roster, &mut ledger, &|| false)?;
+    ledger.close()?;
+    Ok(Run::load(folder)?)
+}
+
+/// Visits `stops` until the budget is used up: first those where no time is taken, on all cores, then the others, each
+/// alone on the machine. Returns how many are left.
+fn go_round(
+    stops: &[Stop<'_>],
+    depth: Depth,
+    roster: &Roster,
+    ledger: &mut Ledger,
+    is_used_up: &(dyn Fn() -> bool + Sync),
+) -> Result<usize> {
+    let progress = Progress::start("measure", stops.len());
+    let left = AtomicUsize::new(0);
+    let ledger = Mutex::new(ledger);
+    let visit = |stop: &&Stop<'_>| {
+        if is_used_up() {
+            left.fetch_add(1, Ordering::Relaxed);
+            return Ok(());
+        }
+        stop::visit(stop, depth, roster, &ledger)?;
+        progress.finished(&stop.name());
+        Ok(())
+    };
+    let is_timed = |stop: &&Stop<'_>| depth == Depth::Measure && stop.is_timed();
+    let (timed, untimed): (Vec<_>, Vec<_>) = stops.iter().partition(is_timed);
+    parallel::map(&untimed, visit)?;
+    timed.iter().try_for_each(visit)?;
+    Ok(left.into_inner())
 }
 
 /// Says what a definition asks, and who is left out.

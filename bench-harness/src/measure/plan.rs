@@ -1,6 +1,6 @@
 //! The stops of a run: cells by realisation, in the order in which they are visited.
 
-use crate::definition::{Block, Definition};
+use crate::definition::{Block, Definition, Measure};
 use crate::records::Case;
 
 /// One realisation of one cell.
@@ -28,6 +28,11 @@ impl Stop<'_> {
     /// The seed of the realisation.
     pub(crate) fn seed(&self) -> u64 {
         point_sets::cell_seed(self.definition.seed, self.spec, self.n, self.realisation)
+    }
+
+    /// Whether nothing else may run meanwhile.
+    pub(crate) fn is_timed(&self) -> bool {
+        self.block.measure.contains(&Measure::Time)
     }
 
     pub(crate) fn name(&self) -> String {

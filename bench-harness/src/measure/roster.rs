@@ -1,12 +1,15 @@
 //! Who can take part: the engines of the catalogue, and guests named on the command line.
 
+use super::instructions;
 use crate::engine::catalogue::{self, Entry, Places};
 use crate::engine::client::Launch;
 use crate::engine::fault::Fault;
 use crate::engine::protocol::Problem;
+use crate::progress::say;
 use crate::records::rows::twin_of;
 use std::path::PathBuf;
 use std::str::FromStr;
+use std::sync::OnceLock;
 
 /// A program that is no part of the catalogue: `NAME=PROGRAM`, with arguments after spaces.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,6 +42,7 @@ impl FromStr for Guest {
 pub(super) struct Roster {
     places: Places,
     guests: Vec<Guest>,
+    has_valgrind: OnceLock<bool>,
 }
 
 impl Roster {
@@ -47,6 +51,7 @@ impl Roster {
         Ok(Self {
             places,
             guests: guests.to_vec(),
+            has_valgrind: OnceLock::new(),
         })
     }
 
@@ -55,13 +60,18 @@ impl Roster {
         if self.guests.iter().any(|guest| guest.name == name) {
             return Ok(());
         }
-        match catalogue::find(name) {
-            None => Err(format!("no engine is called '{name}'")),
-            Some(entry) if !entry.problems().contains(&problem) => {
-                Err(format!("'{name}' does not compute {problem}"))
+        catalogue::knows(name, problem)
+    }
+
+    /// Whether instructions can be counted; said once if they cannot.
+    pub(super) fn has_valgrind(&self) -> bool {
+        *self.has_valgrind.get_or_init(|| {
+            let can_count = instructions::can_count();
+            if !can_count {
+                say("no instructions are counted: valgrind is not installed");
             }
-            Some(_) => Ok(()),
-        }
+            can_count
+        })
     }
 
     /// How to start the engine `name`, or the one whose twin it is.

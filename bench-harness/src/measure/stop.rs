@@ -1,22 +1,24 @@
 //! One stop: every engine is judged, those that are certified are timed in turn, then counted.
 
-use super::Depth;
 use super::judge::{Judgement, Reference};
 use super::ledger::Ledger;
 use super::plan::Stop;
 use super::realisation::Realisation;
 use super::roster::Roster;
+use super::{Depth, instructions};
 use crate::definition::Measure;
 use crate::engine::client::Session;
 use crate::engine::fault::Fault;
-use crate::engine::protocol::{Convention, Run};
+use crate::engine::protocol::Run;
 use crate::records::rows::twin_of;
 use crate::records::{Cell, Count, Outcome, Sample, Subject};
 use anyhow::Result;
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
+use std::collections::BTreeMap;
 use std::num::{NonZeroU32, NonZeroU64};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 /// A sample lasts at least this long, so that the clock's grain does not show.
@@ -38,7 +40,7 @@ pub(super) fn visit(
     stop: &Stop<'_>,
     depth: Depth,
     roster: &Roster,
-    ledger: &mut Ledger,
+    ledger: &Mutex<&mut Ledger>,
 ) -> Result<()> {
     let wants = |measure| depth == Depth::Measure && stop.block.measure.contains(&measure);
     let rounds = if wants(Measure::Time) {
@@ -46,20 +48,22 @@ pub(super) fn visit(
     } else {
         0
     };
+    let wants_counts = wants(Measure::Counts) || wants(Measure::Instructions);
     let open = stop
         .engines
         .iter()
-        .filter(|engine| !ledger.is_done(&subject(stop, engine), rounds, wants(Measure::Counts)));
+        .filter(|engine| !locked(ledger).is_done(&subject(stop, engine), rounds, wants_counts));
     let open: Vec<&String> = open.collect();
     if open.is_empty() {
         return Ok(());
     }
     let realisation = Realisation::generate(stop)?;
-    let mut reference = Reference::new(stop.definition.problem);
+    let mut reference = Reference::new(stop.definition.problem, stop.definition.boundary.into());
     let mut contestants = Vec::new();
     for engine in open {
         let subject = subject(stop, engine);
-        let entered = match ledger.given_up(&subject) {
+        let given_up = locked(ledger).given_up(&subject);
+        let entered = match given_up {
             Some(finding) => Err((Outcome::Timeout, finding)),
             None => enter(stop, &subject, &realisation, &mut reference, roster, ledger),
         };
@@ -77,16 +81,21 @@ pub(super) fn visit(
                 Judgement::without_answer(outcome, finding),
             ),
         };
-        ledger.cell(cell)?;
+        locked(ledger).cell(cell)?;
     }
     time(stop, &realisation, rounds, &mut contestants, ledger)?;
-    if wants(Measure::Counts) {
-        count(stop, &realisation, &mut contestants, ledger)?;
+    if wants_counts {
+        count(stop, &realisation, roster, &mut contestants, ledger)?;
     }
     for contestant in contestants {
         contestant.session.quit(POLITE);
     }
     Ok(())
+}
+
+/// The ledger, for one entry. What a panic elsewhere has left is whole lines all the same.
+fn locked<'a, 'm>(ledger: &'a Mutex<&'m mut Ledger>) -> MutexGuard<'a, &'m mut Ledger> {
+    ledger.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 fn subject(stop: &Stop<'_>, engine: &str) -> Subject {
@@ -119,13 +128,13 @@ fn enter(
     realisation: &Realisation,
     reference: &mut Reference,
     roster: &Roster,
-    ledger: &mut Ledger,
+    ledger: &Mutex<&mut Ledger>,
 ) -> Result<(Contestant, Judgement), (Outcome, String)> {
     let mut tried = || -> Result<(Session, Judgement, Duration), Fault> {
         let mut session = Session::start(&roster.launch(&subject.engine)?, POLITE)?;
-        ledger.met(&subject.engine, session.receipt());
+        locked(ledger).met(&subject.engine, session.receipt());
         let (problem, sets) = (stop.definition.problem, &realisation.sets);
-        session.load_sets(problem, Convention::Extreme, sets, limit(stop))?;
+        session.load_sets(problem, stop.definition.boundary, sets, limit(stop))?;
         let timed = session.run(Run::ONCE, limit(stop))?;
         if let Some(about) = roster.yardstick(&subject.engine) {
             return Ok((session, Judgement::yardstick(about), timed.elapsed));
@@ -166,7 +175,7 @@ fn time(
     realisation: &Realisation,
     rounds: u32,
     contestants: &mut Vec<Contestant>,
-    ledger: &mut Ledger,
+    ledger: &Mutex<&mut Ledger>,
 ) -> Result<()> {
     if rounds == 0 {
         return Ok(());
@@ -181,7 +190,7 @@ fn time(
             true
         }
         Err(fault) => {
-            ledger.failed_late(&contestant.subject, &fault);
+            locked(ledger).failed_late(&contestant.subject, &fault);
             false
         }
     });
@@ -190,14 +199,14 @@ fn time(
         contestants.shuffle(&mut random);
         let mut failed = Vec::new();
         for contestant in contestants.iter_mut() {
-            if ledger.has_round(&contestant.subject, round) {
+            if locked(ledger).has_round(&contestant.subject, round) {
                 continue;
             }
             match sample(stop, contestant) {
                 Ok(nanoseconds) => {
                     let sets = realisation.sets.len() as u64;
                     let calls = u64::from(contestant.passes.get()) * sets;
-                    ledger.sample(Sample {
+                    locked(ledger).sample(Sample {
                         subject: contestant.subject.clone(),
                         round,
                         inner: NonZeroU64::new(calls).unwrap_or(NonZeroU64::MIN),
@@ -205,7 +214,7 @@ fn time(
                     })?;
                 }
                 Err(fault) => {
-                    ledger.failed_late(&contestant.subject, &fault);
+                    locked(ledger).failed_late(&contestant.subject, &fault);
                     failed.push(contestant.subject.clone());
                 }
             }
@@ -224,33 +233,51 @@ fn sample(stop: &Stop<'_>, contestant: &mut Contestant) -> Result<u64, Fault> {
     Ok(timed.nanoseconds.iter().sum())
 }
 
-/// Exact integers, in runs of their own on the first set alone: a count is that of one call. A twin counts what its
-/// engine does.
+/// Integers from runs of their own on the first set alone: a count is that of one call. A twin counts what its engine
+/// does.
 fn count(
     stop: &Stop<'_>,
     realisation: &Realisation,
+    roster: &Roster,
     contestants: &mut [Contestant],
-    ledger: &mut Ledger,
+    ledger: &Mutex<&mut Ledger>,
 ) -> Result<()> {
-    let problem = stop.definition.problem;
-    let one = &realisation.sets[..1];
     for contestant in contestants {
-        if twin_of(&contestant.subject.engine).is_some() || ledger.is_counted(&contestant.subject) {
+        let subject = &contestant.subject;
+        if twin_of(&subject.engine).is_some() || locked(ledger).is_counted(subject) {
             continue;
         }
-        let session = &mut contestant.session;
-        let loaded = session.load_sets(problem, Convention::Extreme, one, limit(stop));
-        match loaded.and_then(|()| session.counters(limit(stop))) {
-            Ok(counters) => {
-                let rows = counters.into_iter().map(|(counter, value)| Count {
-                    subject: contestant.subject.clone(),
-                    counter,
-                    value,
-                });
-                ledger.counts(&contestant.subject, rows.collect())?;
+        let (problem, boundary) = (stop.definition.problem, stop.definition.boundary);
+        let mut counters = BTreeMap::new();
+        if stop.block.measure.contains(&Measure::Counts) {
+            let session = &mut contestant.session;
+            let one = &realisation.sets[..1];
+            let loaded = session.load_sets(problem, boundary, one, limit(stop));
+            match loaded.and_then(|()| session.counters(limit(stop))) {
+                Ok(counted) => counters.extend(counted),
+                Err(fault) => locked(ledger).failed_late(subject, &fault),
             }
-            Err(fault) => ledger.failed_late(&contestant.subject, &fault),
         }
+        if stop.block.measure.contains(&Measure::Instructions) && roster.has_valgrind() {
+            let question = instructions::Question {
+                problem,
+                boundary,
+                set: &realisation.sets[0],
+                limit: limit(stop),
+            };
+            let launch = roster.launch(&subject.engine);
+            match launch.and_then(|launch| instructions::of_a_call(&launch, &question)) {
+                Ok(count) => _ = counters.insert(instructions::COUNTER.to_owned(), count),
+                Err(fault) => locked(ledger).uncounted(subject, &fault),
+            }
+        }
+        let row = |(counter, value)| Count {
+            subject: subject.clone(),
+            counter,
+            value,
+        };
+        let rows = counters.into_iter().map(row).collect();
+        locked(ledger).counts(subject, rows)?;
     }
     Ok(())
 }

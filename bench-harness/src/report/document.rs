@@ -167,6 +167,11 @@ impl Table {
 
     /// As Markdown.
     pub fn markdown(&self) -> String {
+        self.sheet().markdown()
+    }
+
+    /// As a sheet, the best of a row between two pairs of stars.
+    pub fn sheet(&self) -> Sheet {
         let columns: Vec<&str> = self.columns.iter().map(String::as_str).collect();
         let mut sheet = Sheet::new(&columns);
         for row in &self.rows {
@@ -176,8 +181,15 @@ impl Table {
             };
             sheet.push(row.iter().map(shown).collect());
         }
-        sheet.markdown()
+        sheet
     }
+}
+
+/// The preface of an answer, the answer in a few words, and its tables.
+pub fn whole(page: &page::Page) -> Vec<Part> {
+    let head = page.preface.iter().chain([&page.headline]);
+    let tables = page.sections.iter().flat_map(answer);
+    head.map(Part::text).chain(tables).collect()
 }
 
 /// A section of an answer: its table, headed as there, and its notes.

@@ -27,6 +27,8 @@ pub mod picture;
 mod sections;
 pub mod splice;
 
+use crate::analysis::published::Figure;
+use crate::analysis::targets::Target;
 use crate::records::Run;
 use anyhow::Result;
 use asked::Asked;
@@ -40,6 +42,10 @@ pub struct Material<'a> {
     pub run: &'a Run,
     /// The definitions whose texts lie with it.
     pub asked: &'a [Asked],
+    /// What the fast methods are meant to take.
+    pub targets: &'a [Target],
+    /// Times that the authors of other programs print.
+    pub figures: &'a [Figure],
     /// The papers that were reproduced.
     pub papers: &'a [Paper],
     /// The counts to show.
@@ -57,6 +63,8 @@ pub fn document(material: &Material<'_>) -> Result<Document> {
     let sections = [
         Some(sections::overview::section(material)),
         sections::verdicts::section(material),
+        sections::targets::section(material),
+        sections::published::section(material),
         sections::side_by_side::section(material),
         sections::ranking::section(material),
         sections::failures::section(material),

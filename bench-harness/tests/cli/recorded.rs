@@ -141,3 +141,20 @@ fn a_report_is_written_and_a_page_refreshed() {
     let message = shop.run("report old --counter pears").failure(2);
     assert!(message.contains("'pears'; there are orient"), "{message}");
 }
+
+#[test]
+fn the_claims_are_read_from_the_reports() {
+    let shop = Workshop::new(&[]);
+    let reports = concat!(env!("CARGO_MANIFEST_DIR"), "/../reports");
+    let text = shop.run(&format!("claims {reports} --format csv")).stdout();
+    assert!(
+        text.starts_with("claim,verdict,part,outcome,statistic"),
+        "{text}"
+    );
+    for claim in ["GS-1", "D-3", "N-7", "B-2"] {
+        assert!(text.contains(&format!("\n{claim},")), "{claim}");
+    }
+    let none = shop.run("claims .");
+    assert_eq!(none.code, Some(3));
+    assert!(none.stderr.contains("claims.csv"), "{none:?}");
+}

@@ -50,6 +50,8 @@ pub(crate) fn page() -> String {
     let material = Material {
         run: &run(),
         asked: &asked,
+        targets: &[],
+        figures: &[],
         papers: &papers(),
         counters: &["orient".to_owned()],
         baseline: None,

@@ -1,6 +1,8 @@
 //! Delaunay triangulations: where lifting meets the hull methods.
 
-use geometry_core::{Exact, HullError, Lifted, Method, Points, Silent, Tally, Task, Triangulation};
+use geometry_core::{
+    Exact, HullError, Lifted, Method, Points, Silent, Tally, Task, Triangulation, delaunay_task,
+};
 use lifted_delaunay::{delaunay_with, fast_delaunay};
 
 /// The methods that triangulate through a spatial hull.
@@ -12,7 +14,7 @@ pub(crate) const METHODS: &[Method] = &[Method {
                Geometry 1, 25-44, 1986",
     departures: lifted_delaunay::DEPARTURES,
     cost: "O(n log n), that of preparata-hong-3d for n extreme points",
-    task: Task::Delaunay(geometry_core::method::Delaunay { exact: lifted }),
+    task: delaunay_task!(lifted),
 }];
 
 /// The Delaunay triangulation of `points`.

@@ -5,8 +5,8 @@
 //! let hull = hullkit::convex_hull_2d(&points)?;
 //! assert_eq!(hull.vertices(), [0, 1, 3, 4]);
 //!
-//! let gs = hullkit::method("gs").expect("a registered slug");
-//! println!("{}: {}", gs.title, gs.cost);
+//! let same = hullkit::Builder::new().method("gs")?.convex_hull_2d(&points)?;
+//! assert_eq!(same, hull);
 //!
 //! let grid: Vec<[f64; 3]> = (0..27).map(|i| [i % 3, i / 3 % 3, i / 9].map(f64::from)).collect();
 //! let hull = hullkit::convex_hull_3d(&grid)?;
@@ -14,13 +14,15 @@
 //!
 //! let triangulation = hullkit::delaunay(&points)?;
 //! assert_eq!(triangulation.len(), 4);
-//! # Ok::<(), hullkit::HullError>(())
+//! # Ok::<(), hullkit::BuildError>(())
 //! ```
 
+mod builder;
 mod delaunay;
 mod space;
 pub mod sweep;
 
+pub use builder::{BuildError, Builder, Processors};
 pub use delaunay::{delaunay, delaunay_by};
 pub use geometry_core::hull3::Location;
 pub use geometry_core::{

@@ -10,9 +10,11 @@
 //! The sample is every so-many-th point, so that the choice is the same on every machine. A set in a perverse order can
 //! mislead it, and then costs what the other method costs.
 
-use geometry_core::{Hull3, HullError, Kernel3, Method, Observer, Points, Silent, spatial_task};
+use geometry_core::{
+    Exact, Hull3, HullError, Kernel3, Method, Observer, Points, Silent, spatial_task,
+};
 use incremental::incremental_brio;
-use quickhull::fast_3d;
+use quickhull::{fast_3d, fast_3d_parallel};
 
 /// The methods that are made of methods of several families.
 pub(crate) const METHODS: &[Method] = &[Method {
@@ -48,6 +50,16 @@ pub(crate) fn hull_3d<K: Kernel3, O: Observer>(
     }
 }
 
+/// [`hull_3d`] on the processors of the current rayon thread pool, where discarding fits the points; insertion runs on one.
+pub(crate) fn hull_3d_parallel(points: &[[f64; 3]]) -> Result<Hull3, HullError> {
+    let view = Points::new(points)?;
+    if view.len() < FEW || mostly_extreme(view, &Exact)? {
+        incremental_brio(view, &Exact, &mut Silent)
+    } else {
+        fast_3d_parallel(points, &Exact)
+    }
+}
+
 /// Whether at least four of five points of a sample are extreme in it.
 fn mostly_extreme<K: Kernel3>(points: Points<'_, 3>, kernel: &K) -> Result<bool, HullError> {
     let size = (points.len() / EVERY).min(LARGEST);
@@ -60,7 +72,6 @@ fn mostly_extreme<K: Kernel3>(points: Points<'_, 3>, kernel: &K) -> Result<bool,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geometry_core::Exact;
 
     fn is_mostly_extreme(set: &str) -> bool {
         let spec: point_sets::Spec = set.parse().expect("a set");

@@ -22,7 +22,7 @@
 //! ```
 
 use geometry_core::method::SpatialHull;
-use geometry_core::{Exact, Method, Task, planar_task, spatial_task};
+use geometry_core::{Exact, Method, Points, Task, planar_task, spatial_task};
 
 pub mod preparata_hong_2d;
 pub mod preparata_hong_3d;
@@ -79,6 +79,9 @@ pub const METHODS: &[Method] = &[
         departures: preparata_hong_3d::PARALLEL_DEPARTURES,
         cost: "O(n log n) work, O(n) of it sequential after the sort",
         task: Task::SpatialHull(SpatialHull {
+            unseen: |points| {
+                preparata_hong_3d::preparata_hong_parallel(Points::new(points)?, &Exact)
+            },
             exact: |points| preparata_hong_3d::preparata_hong_parallel(points, &Exact),
             tallied: |points, kernel, tally| {
                 preparata_hong_3d::preparata_hong_3d(points, &kernel, tally)

@@ -46,56 +46,62 @@ pub enum Task {
 
 /// The ways to run a method, each an instance of one generic source.
 macro_rules! entry {
-    ($(#[$doc:meta])* $name:ident, ($($input:ty),+), $kernel:path, $result:ty) => {
+    ($(#[$doc:meta])* $name:ident, $dimension:literal $(, $option:ty)?; $kernel:path, $result:ty) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
         pub struct $name {
-            /// With the exact kernel, unobserved: the instance that is timed.
-            pub exact: fn($($input),+) -> Result<$result, HullError>,
+            /// From points that nobody has looked at, with the exact kernel, unobserved: what a user pays, and what is
+            /// timed.
+            pub unseen: fn(&[[f64; $dimension]] $(, $option)?) -> Result<$result, HullError>,
+            /// With the exact kernel, unobserved.
+            pub exact: fn(Points<'_, $dimension> $(, $option)?) -> Result<$result, HullError>,
             /// With any kernel, steps tallied: the instance for counts and for historical arithmetic.
-            pub tallied: fn($($input),+, &dyn $kernel, &mut Tally) -> Result<$result, HullError>,
+            pub tallied: fn(Points<'_, $dimension> $(, $option)?, &dyn $kernel, &mut Tally) -> Result<$result, HullError>,
             /// With any kernel, every step recorded: the instance for teaching.
-            pub recorded: fn($($input),+, &dyn $kernel, &mut Recorder) -> Result<$result, HullError>,
+            pub recorded: fn(Points<'_, $dimension> $(, $option)?, &dyn $kernel, &mut Recorder) -> Result<$result, HullError>,
         }
     };
 }
 
 entry!(
     /// The instances of a planar hull method.
-    PlanarHull,
-    (Points<'_, 2>, Boundary),
-    Kernel2,
-    Hull2
+    PlanarHull, 2, Boundary; Kernel2, Hull2
 );
 entry!(
     /// The instances of a planar layers method.
-    PlanarLayers,
-    (Points<'_, 2>, Boundary),
-    Kernel2,
-    Layers
+    PlanarLayers, 2, Boundary; Kernel2, Layers
 );
 entry!(
     /// The instances of a spatial hull method.
-    SpatialHull,
-    (Points<'_, 3>),
-    Kernel3,
-    Hull3
+    SpatialHull, 3; Kernel3, Hull3
 );
 
 /// The instance of a Delaunay method.
 #[derive(Clone, Copy, Debug)]
 pub struct Delaunay {
-    /// With the exact kernel, unobserved: the instance that is timed.
+    /// From points that nobody has looked at, with the exact kernel: what a user pays, and what is timed.
+    pub unseen: fn(&[[f64; 2]]) -> Result<Triangulation, HullError>,
+    /// With the exact kernel, unobserved.
     pub exact: fn(Points<'_, 2>) -> Result<Triangulation, HullError>,
 }
 
 /// The [`Task`] of a generic function
 /// `fn<K: Kernel2, O: Observer>(Points<'_, 2>, Boundary, &K, &mut O) -> Result<R, HullError>`:
 /// `planar_task!(PlanarHull, my_hull)` for `R = Hull2`, `planar_task!(PlanarLayers, my_layers)` for `R = Layers`.
+///
+/// A third argument, `fn(&[Point2], Boundary) -> Result<R, HullError>`, is a way to the same value from points that nobody
+/// has looked at which is shorter than checking them first.
 #[macro_export]
 macro_rules! planar_task {
     ($kind:ident, $function:path) => {
+        $crate::planar_task!($kind, $function, |points, boundary| {
+            let points = $crate::Points::new(points)?;
+            $function(points, boundary, &$crate::Exact, &mut $crate::Silent)
+        })
+    };
+    ($kind:ident, $function:path, $unseen:expr) => {
         $crate::method::Task::$kind($crate::method::$kind {
+            unseen: $unseen,
             exact: |points, boundary| {
                 $function(points, boundary, &$crate::Exact, &mut $crate::Silent)
             },
@@ -113,9 +119,24 @@ macro_rules! planar_task {
 macro_rules! spatial_task {
     ($function:path) => {
         $crate::method::Task::SpatialHull($crate::method::SpatialHull {
+            unseen: |points| {
+                let points = $crate::Points::new(points)?;
+                $function(points, &$crate::Exact, &mut $crate::Silent)
+            },
             exact: |points| $function(points, &$crate::Exact, &mut $crate::Silent),
             tallied: |points, kernel, tally| $function(points, &kernel, tally),
             recorded: |points, kernel, recorder| $function(points, &kernel, recorder),
+        })
+    };
+}
+
+/// The [`Task`] of a function `fn(Points<'_, 2>) -> Result<Triangulation, HullError>`.
+#[macro_export]
+macro_rules! delaunay_task {
+    ($function:path) => {
+        $crate::method::Task::Delaunay($crate::method::Delaunay {
+            unseen: |points| $function($crate::Points::new(points)?),
+            exact: $function,
         })
     };
 }

@@ -59,6 +59,7 @@ pub fn planar_hull(method: &Method) {
     };
     Suite::<Hull2> {
         slug: method.slug,
+        unseen: entry.unseen,
         exact: entry.exact,
         tallied: entry.tallied,
         recorded: entry.recorded,
@@ -78,6 +79,7 @@ pub fn planar_layers(method: &Method) {
     };
     Suite::<Layers> {
         slug: method.slug,
+        unseen: entry.unseen,
         exact: entry.exact,
         tallied: entry.tallied,
         recorded: entry.recorded,
@@ -88,6 +90,7 @@ pub fn planar_layers(method: &Method) {
 /// The instances of a method whose answer is `A`.
 struct Suite<A> {
     slug: &'static str,
+    unseen: fn(&[[f64; 2]], Boundary) -> Result<A, HullError>,
     exact: fn(Points<'_, 2>, Boundary) -> Result<A, HullError>,
     tallied: fn(Points<'_, 2>, Boundary, &dyn Kernel2, &mut Tally) -> Result<A, HullError>,
     recorded: fn(Points<'_, 2>, Boundary, &dyn Kernel2, &mut Recorder) -> Result<A, HullError>,
@@ -116,11 +119,15 @@ impl<A: Answer> Suite<A> {
         }
     }
 
-    /// The exact instance gives the expected answer, and the checker certifies it.
+    /// The exact instance gives the expected answer, and the checker certifies it; so does the one from unseen points.
     fn exact(&self, solved: &Solved<A>, boundary: Boundary, change: &str) {
         let trial = self.trial("exact", solved, boundary, change);
         trial.expect(solved.answer(boundary), |points| {
             (self.exact)(points, boundary)
+        });
+        let trial = self.trial("unseen", solved, boundary, change);
+        trial.expect(solved.answer(boundary), |points| {
+            (self.unseen)(points.as_slice(), boundary)
         });
     }
 
@@ -191,6 +198,7 @@ impl<A: Answer> Suite<A> {
                 points: &family.points,
             };
             trial.certify(|points| (self.exact)(points, boundary));
+            trial.certify(|points| (self.unseen)(points.as_slice(), boundary));
         }
     }
 

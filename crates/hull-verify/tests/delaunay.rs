@@ -4,8 +4,7 @@
 mod flips;
 
 use flips::by_flips;
-use geometry_core::method::Delaunay;
-use geometry_core::{HullError, Method, Point2, Points, Task, Triangulation};
+use geometry_core::{HullError, Method, Point2, Points, Task, Triangulation, delaunay_task};
 use hull_verify::check::{self, DelaunayFinding as Finding};
 use hull_verify::families::{self, grids};
 use hull_verify::{conformance, families::random};
@@ -35,19 +34,19 @@ fn rounded(points: Points<'_, 2>) -> Answer {
     })
 }
 
-fn run(slug: &'static str, exact: fn(Points<'_, 2>) -> Answer) {
+fn run(slug: &'static str, task: Task) {
     conformance::delaunay(&Method {
         slug,
         title: "a method for testing the suite",
         citation: "",
         departures: &[],
         cost: "",
-        task: Task::Delaunay(Delaunay { exact }),
+        task,
     });
 }
 
-fn rejection(slug: &'static str, exact: fn(Points<'_, 2>) -> Answer) -> String {
-    let panic = std::panic::catch_unwind(|| run(slug, exact)).expect_err("a wrong method passed");
+fn rejection(slug: &'static str, task: Task) -> String {
+    let panic = std::panic::catch_unwind(|| run(slug, task)).expect_err("a wrong method passed");
     panic
         .downcast_ref::<String>()
         .expect("the suite panics with a report")
@@ -56,17 +55,17 @@ fn rejection(slug: &'static str, exact: fn(Points<'_, 2>) -> Answer) -> String {
 
 #[test]
 fn a_right_method_passes() {
-    run("flips", right);
+    run("flips", delaunay_task!(right));
 }
 
 #[test]
 fn wrong_methods_are_rejected_with_a_report() {
-    let report = rejection("no-flips", without_flips);
+    let report = rejection("no-flips", delaunay_task!(without_flips));
     assert!(
         report.contains("is inside the circle round triangle"),
         "{report}"
     );
-    let report = rejection("rounded", rounded);
+    let report = rejection("rounded", delaunay_task!(rounded));
     assert!(report.contains("rounded fails on"), "{report}");
 }
 

@@ -66,6 +66,12 @@ pub const DEPARTURES: &[&str] = &[
     "of points on one circle the lexicographically first is joined to all others",
 ];
 
+/// Where the method on several processors departs from the sequential one.
+pub const PARALLEL_DEPARTURES: &[&str] = &[
+    "the parts of the first halvings are triangulated side by side, and the triangles are read off in shares",
+    "otherwise as fast-delaunay",
+];
+
 /// Sets of up to so many sites are halved without a grid.
 const FEW: usize = 512;
 

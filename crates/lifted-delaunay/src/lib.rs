@@ -54,23 +54,33 @@ pub use fast::{fast_delaunay, fast_delaunay_counted, fast_delaunay_parallel};
 pub use voronoi::{Voronoi, VoronoiEdge};
 
 use geometry_core::{
-    Axis, Hull3, HullError, InCircle, Kernel2, Kernel3, Lifted, Method, Point3, Points, Sign, Task,
-    Triangulation,
+    Axis, Hull3, HullError, InCircle, Kernel2, Kernel3, Lifted, Method, Point3, Points, Sign,
+    Triangulation, delaunay_task,
 };
 
+const GUIBAS_STOLFI: &str = "L. Guibas and J. Stolfi, Primitives for the manipulation of general subdivisions and the \
+    computation of Voronoi diagrams, ACM Transactions on Graphics 4, 74-123, 1985; R. A. Dwyer, A faster \
+    divide-and-conquer algorithm for constructing Delaunay triangulations, Algorithmica 2, 137-151, 1987";
+
 /// The methods of this crate that need no spatial method.
-pub const METHODS: &[Method] = &[Method {
-    slug: "fast-delaunay",
-    title: "Delaunay triangulation by divide and conquer",
-    citation: "L. Guibas and J. Stolfi, Primitives for the manipulation of general subdivisions and the computation of \
-               Voronoi diagrams, ACM Transactions on Graphics 4, 74-123, 1985; R. A. Dwyer, A faster divide-and-conquer \
-               algorithm for constructing Delaunay triangulations, Algorithmica 2, 137-151, 1987",
-    departures: fast::DEPARTURES,
-    cost: "O(n log n)",
-    task: Task::Delaunay(geometry_core::method::Delaunay {
-        exact: fast_delaunay,
-    }),
-}];
+pub const METHODS: &[Method] = &[
+    Method {
+        slug: "fast-delaunay",
+        title: "Delaunay triangulation by divide and conquer",
+        citation: GUIBAS_STOLFI,
+        departures: fast::DEPARTURES,
+        cost: "O(n log n)",
+        task: delaunay_task!(fast_delaunay),
+    },
+    Method {
+        slug: "fast-delaunay-parallel",
+        title: "Delaunay triangulation by divide and conquer, on several processors",
+        citation: GUIBAS_STOLFI,
+        departures: fast::PARALLEL_DEPARTURES,
+        cost: "that of fast-delaunay, most of it shared among the processors",
+        task: delaunay_task!(fast_delaunay_parallel),
+    },
+];
 
 /// Where this crate departs from Nathan's description, and why.
 pub const DEPARTURES: &[&str] = &[

@@ -57,6 +57,14 @@ pub const DEPARTURES: &[&str] = &[
     "a point in the plane of a facet counts as inside it; exactly coplanar facets are merged at the end",
 ];
 
+/// Where the method on several processors departs from the sequential one.
+pub const PARALLEL_DEPARTURES: &[&str] = &[
+    "the check for finite coordinates and the discards are made by as many threads as there are; the hulls of the sample and \
+     of the points left by one",
+    "steps are reported, and questions counted, by the sequential method, whose steps and questions are the same",
+    "otherwise as fast-3d",
+];
+
 /// The convex hull of points of which few are extreme.
 ///
 /// # Errors

@@ -8,6 +8,7 @@
 //! | `quickhull-balan` | [`balan_quickhull`](mod@balan_quickhull) | O(n m) for m facets made |
 //! | `quickhull-3d` | [`quickhull_3d`](mod@quickhull_3d) | O(n²); about linear on the usual distributions, O(n log n) on a sphere |
 //! | `fast-3d` | [`fast_3d`](mod@fast_3d) | O(n) on average where few points are extreme |
+//! | `fast-3d-parallel` | [`fast_3d_parallel`] | the same, the discards on several processors |
 //!
 //! ```
 //! use geometry_core::{Boundary, Exact, Points, Silent};
@@ -17,7 +18,7 @@
 //! # Ok::<(), geometry_core::HullError>(())
 //! ```
 
-use geometry_core::method::PlanarHull;
+use geometry_core::method::{PlanarHull, SpatialHull};
 use geometry_core::{Exact, Method, Task, planar_task, spatial_task};
 
 pub mod balan_quickhull;
@@ -34,6 +35,10 @@ pub use eddy::eddy;
 pub use fast_2d::{convex_hull, convex_hull_parallel, fast_2d, fast_2d_parallel};
 pub use fast_3d::{fast_3d, fast_3d_parallel};
 pub use quickhull_3d::quickhull_3d;
+
+const FAST_3D: &str = "C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull algorithm for convex hulls, ACM Transactions on \
+    Mathematical Software 22(4), 469-483, 1996; K. L. Clarkson, P. W. Shor, Applications of random sampling in \
+    computational geometry, II, Discrete & Computational Geometry 4, 387-421, 1989";
 
 const THROW_AWAY: &str = "S. G. Akl, G. T. Toussaint, A fast convex hull algorithm, Information Processing Letters 7 \
                           (1978), 219-222; L. Devroye, G. T. Toussaint, A note on linear expected time algorithms for \
@@ -58,7 +63,7 @@ pub const METHODS: &[Method] = &[
         departures: fast_2d::DEPARTURES,
         cost: "O(n + m log m) for m points not thrown away: about linear on average where few points are extreme, \
                O(n log n) always",
-        task: planar_task!(PlanarHull, fast_2d::fast_2d),
+        task: planar_task!(PlanarHull, fast_2d::fast_2d, fast_2d::convex_hull),
     },
     Method {
         slug: "fast-2d-parallel",
@@ -67,6 +72,7 @@ pub const METHODS: &[Method] = &[
         departures: fast_2d::PARALLEL_DEPARTURES,
         cost: "that of fast-2d; the pass over all points is shared among the processors",
         task: Task::PlanarHull(PlanarHull {
+            unseen: fast_2d::convex_hull_parallel,
             exact: |points, boundary| fast_2d::fast_2d_parallel(points, boundary, &Exact),
             tallied: |points, boundary, kernel, tally| {
                 fast_2d::fast_2d(points, boundary, &kernel, tally)
@@ -96,11 +102,22 @@ pub const METHODS: &[Method] = &[
     Method {
         slug: "fast-3d",
         title: "Quickhull after discarding what is inside the hull of a sample",
-        citation: "C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull algorithm for convex hulls, ACM \
-                   Transactions on Mathematical Software 22(4), 469-483, 1996; K. L. Clarkson, P. W. Shor, Applications \
-                   of random sampling in computational geometry, II, Discrete & Computational Geometry 4, 387-421, 1989",
+        citation: FAST_3D,
         departures: fast_3d::DEPARTURES,
         cost: "O(n) on average where few points are extreme, O(n log n) on a sphere, O(n^2) at worst",
         task: spatial_task!(fast_3d::fast_3d),
+    },
+    Method {
+        slug: "fast-3d-parallel",
+        title: "Quickhull after discarding what is inside the hull of a sample, on several processors",
+        citation: FAST_3D,
+        departures: fast_3d::PARALLEL_DEPARTURES,
+        cost: "that of fast-3d; the check and the discards are shared among the processors",
+        task: Task::SpatialHull(SpatialHull {
+            unseen: |points| fast_3d_parallel(points, &Exact),
+            exact: |points| fast_3d_parallel(points.as_slice(), &Exact),
+            tallied: |points, kernel, tally| fast_3d(points, &kernel, tally),
+            recorded: |points, kernel, recorder| fast_3d(points, &kernel, recorder),
+        }),
     },
 ];

@@ -49,6 +49,10 @@ pub fn built(program: &Program, places: &Places) -> Result<Built, String> {
         .map_err(|_| format!("not built: {again}"))?;
     let built: Built =
         serde_json::from_slice(&text).map_err(|_| format!("its build is not readable: {again}"))?;
+    let is_there = |path: &PathBuf| path.is_relative() || path.exists();
+    if !is_there(&built.program) || !built.arguments.iter().all(is_there) {
+        return Err(format!("what was built is gone: {again}"));
+    }
     let unchanged = match &places.sources {
         Some(sources) => sum(program, sources).is_ok_and(|sum| sum == built.sources),
         None => true,

@@ -52,6 +52,7 @@ pub fn delaunay(method: &Method) {
             points: &family.points,
         };
         trial.certify(entry.exact);
+        trial.certify(|points| (entry.unseen)(points.as_slice()));
     }
     for points in super::cases::subsets_of_lattice(4, 5) {
         let trial = Trial {
@@ -136,7 +137,7 @@ impl Trial<'_> {
     /// The answer of `method`, certified.
     fn certify(
         &self,
-        method: fn(Points<'_, 2>) -> Result<Triangulation, HullError>,
+        method: impl Fn(Points<'_, 2>) -> Result<Triangulation, HullError>,
     ) -> (Triangulation, DelaunayCertificate) {
         let points = match Points::new(self.points) {
             Ok(points) => points,

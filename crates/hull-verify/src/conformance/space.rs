@@ -85,6 +85,10 @@ impl Suite {
     fn exact(&self, solved: &Solved, change: &str) {
         self.trial("exact", solved, change)
             .expect(&solved.answer, self.entry.exact);
+        self.trial("unseen", solved, change)
+            .expect(&solved.answer, |points| {
+                (self.entry.unseen)(points.as_slice())
+            });
     }
 
     fn contradicted(&self, solved: &Solved) {
@@ -114,6 +118,7 @@ impl Suite {
             points: &family.points,
         };
         trial.certify(self.entry.exact);
+        trial.certify(|points| (self.entry.unseen)(points.as_slice()));
     }
 
     fn trial<'a>(&'a self, instance: &'a str, solved: &'a Solved, change: &'a str) -> Trial<'a> {

@@ -3,15 +3,24 @@
 //! The reference is our own hull, proved by the checker. An answer equal to it is right; any other is given to the
 //! checker; and of one that is refuted it is said which extreme points it misses, how far outside they lie, and which
 //! of its vertices are none.
+//!
+//! | module | holds |
+//! |---|---|
+//! | `plane` | answers about hulls of the plane |
+//! | `space` | answers about hulls in space |
+//! | `difference` | how the vertices of an answer differ from the extreme points |
+
+mod difference;
+mod plane;
+mod space;
 
 use crate::counting::PointSet;
 use crate::engine::answer::Answer;
-use crate::engine::cut::cuts_up;
 use crate::engine::protocol::{Kind, Problem};
 use crate::records::Outcome;
-use geometry_core::{Boundary, Hull2, Hull3, Layers, Points, Triangulation};
+use geometry_core::{Boundary, Hull3, Layers, Points, Triangulation};
 use hull_verify::check;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
 /// What became of an engine's answers.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -89,37 +98,42 @@ impl Judgement {
 #[derive(Debug)]
 pub(super) struct Reference {
     problem: Problem,
+    boundary: Boundary,
     proved: HashMap<usize, Result<Proved, String>>,
 }
 
 /// A value that the checker has proved.
 #[derive(Clone, Debug)]
 enum Proved {
-    Plane(Hull2),
+    Plane(plane::Reference),
     Space(Hull3),
     Layers(Layers),
     Delaunay(Triangulation),
 }
 
 impl Reference {
-    pub(super) fn new(problem: Problem) -> Self {
+    /// For answers whose vertices are those of `boundary`.
+    pub(super) fn new(problem: Problem, boundary: Boundary) -> Self {
         Self {
             problem,
+            boundary,
             proved: HashMap::new(),
         }
     }
 
     /// Judges `answer` about set `number` of the stop.
     pub(super) fn judge(&mut self, number: usize, set: &PointSet, answer: &Answer) -> Judgement {
-        let problem = self.problem;
+        let (problem, boundary) = (self.problem, self.boundary);
         let proved = self
             .proved
             .entry(number)
-            .or_insert_with(|| prove(problem, set));
+            .or_insert_with(|| prove(problem, boundary, set));
         let judged = match (proved, set) {
             (Err(what), _) => Err(format!("the reference has no certificate: {what}")),
-            (Ok(Proved::Plane(hull)), PointSet::Plane(points)) => plane(points, hull, answer),
-            (Ok(Proved::Space(hull)), PointSet::Space(points)) => space(points, hull, answer),
+            (Ok(Proved::Plane(proved)), PointSet::Plane(points)) => proved.judge(points, answer),
+            (Ok(Proved::Space(hull)), PointSet::Space(points)) => {
+                space::judge(points, hull, answer)
+            }
             (Ok(Proved::Layers(layers)), PointSet::Plane(points)) => {
                 let found = view(points).map(|points| answer.layers(points));
                 match found {
@@ -145,17 +159,15 @@ fn view<const D: usize>(points: &[[f64; D]]) -> Result<Points<'_, D>, String> {
 }
 
 /// Makes and proves the right answer.
-fn prove(problem: Problem, set: &PointSet) -> Result<Proved, String> {
+fn prove(problem: Problem, boundary: Boundary, set: &PointSet) -> Result<Proved, String> {
     let error = |error: hullkit::HullError| error.to_string();
     match (problem, set) {
         (Problem::Hull2, PointSet::Plane(points)) => {
-            let hull = hullkit::convex_hull_2d(points).map_err(error)?;
-            check::hull2(points, Boundary::Extreme, &hull).map_err(|f| first(&f))?;
-            Ok(Proved::Plane(hull))
+            plane::Reference::prove(points, boundary).map(Proved::Plane)
         }
         (Problem::Layers, PointSet::Plane(points)) => {
-            let layers = hullkit::convex_layers(points, Boundary::Extreme).map_err(error)?;
-            check::layers(points, Boundary::Extreme, &layers).map_err(|f| first(&f))?;
+            let layers = hullkit::convex_layers(points, boundary).map_err(error)?;
+            check::layers(points, boundary, &layers).map_err(|f| first(&f))?;
             Ok(Proved::Layers(layers))
         }
         (Problem::Delaunay, PointSet::Plane(points)) => {
@@ -180,55 +192,6 @@ fn first<F: std::fmt::Display>(findings: &[F]) -> String {
     format!("{} findings, first: {first}", findings.len())
 }
 
-/// What there is to say of a right answer, or what is wrong with another.
-fn plane(points: &[[f64; 2]], proved: &Hull2, answer: &Answer) -> Result<String, String> {
-    let found = answer.hull2(view(points)?);
-    if found.as_ref() == Some(proved) {
-        return Ok(String::new());
-    }
-    let difference = Difference::of(proved.vertices(), answer);
-    if answer.kind() == Kind::Vertices && difference.is_none() {
-        return Ok("the set of vertices only".to_owned());
-    }
-    if found.is_some() && difference.misses.is_empty() && goes_round(points, answer)? {
-        return Ok("points on edges beside the corners".to_owned());
-    }
-    let far = difference
-        .misses
-        .iter()
-        .map(|&id| outside(points, answer, id));
-    Err(difference.said(far.fold(0.0, f64::max), largest(points.as_flattened())))
-}
-
-fn space(points: &[[f64; 3]], proved: &Hull3, answer: &Answer) -> Result<String, String> {
-    let points_view = view(points)?;
-    if answer.hull3(points_view).as_ref() == Some(proved) {
-        return Ok(String::new());
-    }
-    let difference = Difference::of(&vertices(proved), answer);
-    if answer.kind() == Kind::Vertices && difference.is_none() {
-        return Ok("the set of vertices only".to_owned());
-    }
-    if difference.is_none() {
-        let cut = answer
-            .triangles()
-            .ok_or("the right vertices, but other facets")?;
-        cuts_up(&cut, proved).map_err(|what| format!("the right vertices; {what}"))?;
-        return Ok("facets cut into triangles".to_owned());
-    }
-    let planes: Vec<Plane> = answer
-        .parts()
-        .filter_map(|part| Plane::through(points, part))
-        .collect();
-    let far = difference.misses.iter().map(|&id| {
-        planes
-            .iter()
-            .map(|plane| plane.height(points[id as usize]))
-            .fold(0.0, f64::max)
-    });
-    Err(difference.said(far.fold(0.0, f64::max), largest(points.as_flattened())))
-}
-
 fn delaunay(
     points: &[[f64; 2]],
     proved: &Triangulation,
@@ -246,134 +209,12 @@ fn delaunay(
     }
 }
 
-fn vertices(hull: &Hull3) -> Vec<u32> {
-    let mut vertices = hull.vertices().to_vec();
-    vertices.sort_unstable();
-    vertices
-}
-
-/// How the vertices of an answer differ from the extreme points.
-struct Difference {
-    misses: Vec<u32>,
-    extra: Vec<u32>,
-}
-
-impl Difference {
-    fn of(extreme: &[u32], answer: &Answer) -> Self {
-        let extreme: BTreeSet<u32> = extreme.iter().copied().collect();
-        let said: BTreeSet<u32> = answer.vertices().into_iter().collect();
-        Self {
-            misses: extreme.difference(&said).copied().collect(),
-            extra: said.difference(&extreme).copied().collect(),
-        }
-    }
-
-    fn is_none(&self) -> bool {
-        self.misses.is_empty() && self.extra.is_empty()
-    }
-
-    /// In words; `far` is how far outside the furthest missed point lies, for coordinates up to `largest`.
-    fn said(&self, far: f64, largest: f64) -> String {
-        let mut parts = Vec::new();
-        if !self.misses.is_empty() {
-            let units = far / unit(largest);
-            parts.push(format!(
-                "misses {} extreme points, the furthest {far:.3e} outside, {units:.3e} units in the last place of {largest:.3e}",
-                self.misses.len()
-            ));
-        }
-        if !self.extra.is_empty() {
-            parts.push(format!(
-                "{} vertices are no extreme points",
-                self.extra.len()
-            ));
-        }
-        if parts.is_empty() {
-            parts.push("the right vertices in a wrong order".to_owned());
-        }
-        parts.join("; ")
-    }
-}
-
-/// Whether the cycle of `answer` visits points on the boundary only, in the order in which they lie on it.
-fn goes_round(points: &[[f64; 2]], answer: &Answer) -> Result<bool, String> {
-    let ring = hullkit::convex_hull_2d_with(points, Boundary::All).map_err(|e| e.to_string())?;
-    check::hull2(points, Boundary::All, &ring).map_err(|findings| first(&findings))?;
-    let places: HashMap<u32, usize> = ring.vertices().iter().copied().zip(0..).collect();
-    let cycle = answer.parts().flatten().map(|id| places.get(id).copied());
-    let Some(cycle) = cycle.collect::<Option<Vec<usize>>>() else {
-        return Ok(false);
-    };
-    let steps = cycle.iter().zip(cycle.iter().cycle().skip(1));
-    Ok(steps.filter(|(from, to)| from >= to).count() <= 1)
-}
-
-fn largest(coordinates: &[f64]) -> f64 {
-    coordinates.iter().fold(0.0, |most, x| most.max(x.abs()))
-}
-
-/// The unit in the last place of `x`.
-fn unit(x: f64) -> f64 {
-    f64::from_bits(x.to_bits() + 1) - x
-}
-
-/// How far the point `id` lies outside the cycle of `answer`, in plain floating point: a measure, not a decision.
-fn outside(points: &[[f64; 2]], answer: &Answer, id: u32) -> f64 {
-    let at = |id: u32| points[id as usize];
-    let p = at(id);
-    let cycle: Vec<u32> = answer.parts().flatten().copied().collect();
-    let edges = cycle.iter().zip(cycle.iter().cycle().skip(1));
-    let heights = edges.map(|(&a, &b)| {
-        let (a, b) = (at(a), at(b));
-        let (u, v) = (b[0] - a[0], b[1] - a[1]);
-        -(u * (p[1] - a[1]) - v * (p[0] - a[0])) / u.hypot(v)
-    });
-    heights
-        .filter(|height| height.is_finite())
-        .fold(0.0, f64::max)
-}
-
-/// The plane of a facet, in plain floating point.
-struct Plane {
-    normal: [f64; 3],
-    through: [f64; 3],
-}
-
-impl Plane {
-    fn through(points: &[[f64; 3]], facet: &[u32]) -> Option<Self> {
-        let [a, b, c, ..] = facet else { return None };
-        let [a, b, c] = [a, b, c].map(|id| points[*id as usize]);
-        let (u, v) = (minus(b, a), minus(c, a));
-        let normal: [f64; 3] = std::array::from_fn(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            u[j] * v[k] - u[k] * v[j]
-        });
-        let length = dot(normal, normal).sqrt();
-        (length > 0.0).then(|| Self {
-            normal: normal.map(|x| x / length),
-            through: a,
-        })
-    }
-
-    fn height(&self, p: [f64; 3]) -> f64 {
-        dot(self.normal, minus(p, self.through))
-    }
-}
-
-fn minus(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| p[i] - q[i])
-}
-
-fn dot(p: [f64; 3], q: [f64; 3]) -> f64 {
-    p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn judged(problem: Problem, set: &PointSet, answer: &Answer) -> Judgement {
-        Reference::new(problem).judge(0, set, answer)
+        Reference::new(problem, Boundary::Extreme).judge(0, set, answer)
     }
 
     #[test]
