@@ -2,6 +2,7 @@
 
 use super::prediction::{Prediction, predictions};
 use crate::definition::Extent;
+use crate::definition::find::BUILT_IN;
 use anyhow::{Context, Result};
 use include_dir::{Dir, include_dir};
 use serde::Deserialize;
@@ -59,7 +60,6 @@ impl Cells {
 pub(crate) const EXTENTS: [Extent; 2] = [Extent::Full, Extent::Quick];
 
 static PUBLISHED: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../data/published");
-static DEFINITIONS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../data/definitions");
 
 /// What a paper claims, and what we predicted.
 #[derive(Clone, Debug)]
@@ -75,12 +75,7 @@ impl Published {
             .with_context(|| format!("in claims.toml of {slug}"))?;
         Ok(Self {
             claims: claims.claim,
-            predictions: predictions(&text(
-                "definitions",
-                &DEFINITIONS,
-                slug,
-                "predictions.toml",
-            )?)?,
+            predictions: predictions(&text("definitions", &BUILT_IN, slug, "predictions.toml")?)?,
         })
     }
 }
@@ -91,7 +86,7 @@ pub(crate) fn studies<S: DeserializeOwned>(slug: &str, extent: Extent) -> Result
         Extent::Full => "studies.toml",
         Extent::Quick => "studies-quick.toml",
     };
-    let text = text("definitions", &DEFINITIONS, slug, name)?;
+    let text = text("definitions", &BUILT_IN, slug, name)?;
     toml::from_str(&text).with_context(|| format!("in {name} of {slug}"))
 }
 

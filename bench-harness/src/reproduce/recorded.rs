@@ -223,3 +223,153 @@ fn times(run: &Run, places: &Places) -> Vec<TimeRow> {
     };
     samples.into_iter().map(row).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::records::{Case, Count, Manifest, Sample};
+    use std::num::NonZeroU64;
+
+    const TEXT: &str = r#"id = "x-counts"
+group = "tests"
+task = "hull2"
+seed = 7
+question = "Does it come out in order?"
+
+[[cells]]
+sets = ["disc", "circle"]
+n = [10]
+engines = ["gs", "eddy"]
+measure = ["counts"]
+realisations = 2
+
+[[cells]]
+sets = ["disc"]
+n = [10]
+engines = ["graham"]
+measure = ["counts"]
+realisations = 3
+"#;
+
+    fn definition(stage: &str) -> Definition {
+        let text = TEXT.replace("x-counts", &format!("x-{stage}"));
+        Definition::parse(&format!("x-{stage}.toml"), &text, &|_, _| Ok(())).expect("valid")
+    }
+
+    fn subject(definition: &Definition, set: &str, replicate: u64, engine: &str) -> Subject {
+        let spec = set.parse().expect("a set");
+        let case = Case {
+            definition: definition.id.clone(),
+            set: set.to_owned(),
+            n: 10,
+        };
+        Subject {
+            case,
+            seed: point_sets::cell_seed(definition.seed, &spec, 10, replicate),
+            engine: engine.to_owned(),
+        }
+    }
+
+    fn cell(subject: Subject, outcome: Outcome, h: u64) -> Cell {
+        Cell {
+            subject,
+            fingerprint: "ab".to_owned(),
+            outcome,
+            h: Some(h),
+            facets: None,
+            finding: "why".to_owned(),
+        }
+    }
+
+    fn rows(
+        definition: &Definition,
+        cells: Vec<Cell>,
+        (samples, counts): (Vec<Sample>, Vec<Count>),
+    ) -> Records<()> {
+        let run = Run::from_rows(Manifest::default(), cells, (samples, counts, Vec::new()));
+        let mut records = Records::default();
+        add(&run, std::slice::from_ref(definition), &mut records);
+        records
+    }
+
+    #[test]
+    fn cells_of_one_set_are_one_row_in_the_order_of_the_definition() {
+        let definition = definition("counts");
+        let of = |set, replicate, engine| subject(&definition, set, replicate, engine);
+        let cells = vec![
+            cell(of("circle", 0, "gs"), Outcome::Certified, 10),
+            cell(of("disc", 1, "gs"), Outcome::Certified, 6),
+            cell(of("disc", 0, "graham"), Outcome::Certified, 5),
+            cell(of("disc", 0, "gs"), Outcome::Certified, 5),
+            cell(of("disc", 0, "eddy"), Outcome::Wrong, 4),
+            cell(of("disc", 2, "graham"), Outcome::Certified, 7),
+        ];
+        let records = rows(&definition, cells, (Vec::new(), Vec::new()));
+        let row = |row: &SetRow| (row.distribution.clone(), row.replicate, row.certified);
+        let found: Vec<_> = records.sets.iter().map(row).collect();
+        let expected = [
+            ("disc", 0, 2),
+            ("disc", 1, 1),
+            ("disc", 2, 1),
+            ("circle", 0, 1),
+        ];
+        assert_eq!(found, expected.map(|(set, r, c)| (set.to_owned(), r, c)));
+        assert_eq!(records.sets[0].vertices, 5);
+        let failure = &records.failures[0];
+        assert_eq!(
+            (failure.method.as_str(), failure.what.as_str()),
+            ("eddy", "wrong: why")
+        );
+        assert_eq!(records.failures.len(), 1);
+    }
+
+    #[test]
+    fn sizes_become_a_histogram() {
+        let definition = definition("sizes");
+        let cells = [5, 5].iter().zip(0..).map(|(h, replicate)| {
+            cell(
+                subject(&definition, "disc", replicate, "gs"),
+                Outcome::Certified,
+                *h,
+            )
+        });
+        let records = rows(&definition, cells.collect(), (Vec::new(), Vec::new()));
+        let [row] = &records.sizes[..] else {
+            panic!("{:?}", records.sizes)
+        };
+        assert_eq!((row.vertices, row.replicates), (5, 2));
+        assert!(records.sets.is_empty());
+    }
+
+    #[test]
+    fn counters_of_a_call_are_one_row_and_a_twin_is_timed() {
+        let definition = definition("times");
+        let gs = || subject(&definition, "disc", 1, "gs");
+        let count = |counter: &str, value| Count {
+            subject: gs(),
+            counter: counter.to_owned(),
+            value,
+        };
+        let sample = |subject, round| Sample {
+            subject,
+            round,
+            inner: NonZeroU64::new(4).expect("four"),
+            nanoseconds: 8,
+        };
+        let samples = vec![sample(gs(), 1), sample(gs().twin(), 0)];
+        let counts = vec![count("orientations", 3), count("along", 2)];
+        let cells = vec![cell(gs(), Outcome::Certified, 6)];
+        let records = rows(&definition, cells, (samples, counts));
+        let [row] = &records.counts[..] else {
+            panic!("{:?}", records.counts)
+        };
+        assert_eq!((row.replicate, row.vertices, row.questions()), (1, 6, 5));
+        let names: Vec<&str> = records
+            .times
+            .iter()
+            .map(|row| row.method.as_str())
+            .collect();
+        assert_eq!(names, [twin("gs").as_str(), "gs"]);
+        assert!(records.times.iter().all(|row| row.realisation == 1));
+    }
+}
