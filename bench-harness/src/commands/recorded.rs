@@ -3,8 +3,12 @@
 use crate::failure::Failure;
 use crate::output::page::Page;
 use crate::output::target::{OutputArgs, Report, note};
-use crate::records::Run;
-use std::path::Path;
+use crate::records::{Manifest, Run};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Where runs are recorded if nothing else is said.
+const RUNS: &str = "runs";
 
 /// Loads the run in `folder`, and says on standard error what a reader must know about it.
 ///
@@ -23,6 +27,25 @@ pub fn load(folder: &Path) -> Result<Run, Failure> {
         note(&format!("note: {}: {text}", folder.display()));
     }
     Ok(run)
+}
+
+/// The run below `runs/` that was written last.
+///
+/// # Errors
+///
+/// [`Failure::Io`] if there is none.
+pub fn latest() -> Result<PathBuf, Failure> {
+    let written = |folder: PathBuf| {
+        let manifest = fs::metadata(folder.join(Manifest::FILE)).ok()?;
+        Some((manifest.modified().ok()?, folder))
+    };
+    let folders = fs::read_dir(RUNS).into_iter().flatten().flatten();
+    let latest = folders.filter_map(|entry| written(entry.path())).max();
+    latest.map(|(_, folder)| folder).ok_or_else(|| {
+        Failure::Io(format!(
+            "{RUNS}/: no recorded run; give the folder of one, or make one with `hullbench measure`"
+        ))
+    })
 }
 
 /// Writes `page` as asked.

@@ -3,7 +3,7 @@
 use crate::analysis::cmp::cmp;
 use crate::analysis::targets::{Target, targets};
 use crate::commands::published::figures;
-use crate::commands::recorded::{load, unknown};
+use crate::commands::recorded::{latest, load, unknown};
 use crate::commands::targets as known_targets;
 use crate::failure::Failure;
 use crate::output::atomic::{self, Existing};
@@ -30,6 +30,7 @@ by the table of the definition NAME: a row a point set and size, a column an eng
 table of `hullbench targets` where NAME is targets.
 
 Examples:
+  hullbench report
   hullbench report runs/curated
   hullbench report runs/curated -o report.html --papers reports
   hullbench report runs/curated --splice README.md --baseline fast-2d
@@ -44,9 +45,9 @@ const TARGETS: &str = "targets";
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The folder of a recorded run
+    /// The folder of a recorded run [default: the one below runs/ that was written last]
     #[arg(value_name = "RUN", value_hint = ValueHint::DirPath)]
-    run: PathBuf,
+    run: Option<PathBuf>,
 
     /// Write the report to FILE, and replace one that is there [default: report.html in the run's folder]
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
@@ -75,7 +76,11 @@ pub struct Args {
 ///
 /// [`Failure::Usage`] for a counter or an engine that the run does not have; [`Failure::Data`], [`Failure::Io`].
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let run = load(&args.run)?;
+    let folder = match &args.run {
+        Some(folder) => folder.clone(),
+        None => latest()?,
+    };
+    let run = load(&folder)?;
     check_names(args, &run)?;
     let counters = match args.counters.is_empty() {
         true => usual_counters(&run),
@@ -84,7 +89,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let output = args
         .output
         .clone()
-        .unwrap_or_else(|| args.run.join("report.html"));
+        .unwrap_or_else(|| folder.join("report.html"));
     let mut found = match &args.papers {
         Some(folder) => papers::read(folder)?,
         None => Vec::new(),
@@ -100,7 +105,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let spliced = spliced.transpose()?;
     let material = Material {
         run: &run,
-        asked: &asked::of_run(&args.run)?,
+        asked: &asked::of_run(&folder)?,
         targets: &all,
         figures: &figures()?,
         papers: &found,

@@ -65,9 +65,10 @@ pub(crate) enum Extent {
 pub(crate) type Known<'a> = &'a dyn Fn(&str, Problem) -> Result<(), String>;
 
 /// The folders of definitions that anyone may run.
-const FOLDERS: [&str; 7] = [
+const FOLDERS: [&str; 8] = [
     "curated",
     "fast",
+    "growth",
     "published",
     "green-silverman-1979/full",
     "day-1990/full",

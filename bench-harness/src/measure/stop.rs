@@ -12,7 +12,7 @@ use crate::engine::fault::Fault;
 use crate::engine::protocol::Run;
 use crate::records::rows::twin_of;
 use crate::records::{Cell, Count, Outcome, Sample, Subject};
-use anyhow::Result;
+use anyhow::{Context, Result};
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
@@ -57,7 +57,7 @@ pub(super) fn visit(
     if open.is_empty() {
         return Ok(());
     }
-    let realisation = Realisation::generate(stop)?;
+    let realisation = Realisation::generate(stop).with_context(|| stop.name())?;
     let mut reference = Reference::new(stop.definition.problem, stop.definition.boundary.into());
     let mut contestants = Vec::new();
     for engine in open {

@@ -158,3 +158,16 @@ fn the_claims_are_read_from_the_reports() {
     assert_eq!(none.code, Some(3));
     assert!(none.stderr.contains("claims.csv"), "{none:?}");
 }
+
+#[test]
+fn a_report_without_a_run_is_that_of_the_last_one() {
+    let shop = Workshop::new(&[]);
+    let none = shop.run("report");
+    assert_eq!(none.code, Some(4));
+    assert!(none.stderr.contains("no recorded run"), "{none:?}");
+    let folder = shop.folder.path().join("runs/one");
+    fs::create_dir_all(&folder).unwrap();
+    MadeUp::new(1).write(&folder);
+    assert_eq!(shop.run("report").code, Some(0));
+    assert!(folder.join("report.html").is_file());
+}
