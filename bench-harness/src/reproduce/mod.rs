@@ -8,7 +8,8 @@
 //! | `recorded`, `rows` | from the records of a measured run to the rows of a paper |
 //! | `ratio` | times of one contestant over another's |
 //! | `theory` | expected numbers of vertices |
-//! | `space` | what studies in space share: sets, certificates, counts, exponents |
+//! | `sets` | the point sets of studies |
+//! | `space` | what studies in space share: certificates, counts, exponents |
 //! | `timing` | what a study times that is no registered method: samples, interleaved and warm |
 //! | `verdict`, `prediction` | outcomes and how parts make a whole; what we expected |
 //! | `render` | the pieces of a report: sheets, plots, claims, the first page, the folder |
@@ -24,6 +25,7 @@ mod ratio;
 mod recorded;
 pub(crate) mod render;
 mod rows;
+mod sets;
 mod space;
 mod theory;
 mod timing;

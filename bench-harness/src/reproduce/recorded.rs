@@ -4,7 +4,7 @@
 //! each call. Rows come out in the order of the definitions, so that no order of measuring shows.
 
 use super::rows::{CountRow, Dimension, FailureRow, Records, SetRow, SizeRow, TimeRow};
-use super::space::sets::digest;
+use super::sets::digest;
 use crate::definition::Definition;
 use crate::records::Run;
 use crate::records::rows::{Cell, Outcome, Subject};

@@ -7,7 +7,6 @@ mod derived;
 mod published;
 mod records;
 mod render;
-mod sets;
 mod studies;
 mod verdicts;
 

@@ -3,9 +3,9 @@
 //! The checker, which shares no arithmetic with the methods, certifies one result; every other method must
 //! give that same value.
 
-use super::sets::PointSet3;
 use super::spatial_method;
 use crate::reproduce::rows::{FailureRow, SetRow};
+use crate::reproduce::sets::PointSet3;
 use anyhow::Result;
 use geometry_core::{Hull3, HullError, Points};
 

@@ -1,8 +1,8 @@
 //! The row of a counted run in space, however it was made.
 
-use super::sets::PointSet3;
 use crate::counting::counters;
 use crate::reproduce::rows::{CountRow, Dimension};
+use crate::reproduce::sets::PointSet3;
 use geometry_core::{Hull3, QuestionCounts, Tally};
 
 /// What `method` asked and did on `set`. Only certified methods are to be counted.

@@ -2,7 +2,6 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`sets`] | point sets of space by (seed, distribution, n, replicate) |
 //! | [`certify`](mod@certify) | one hull proved, all other methods' results held against it |
 //! | [`count`](mod@count) | the row of a counted run |
 //! | [`surface`] | whether triangles are the surface of a certified hull |
@@ -14,7 +13,6 @@
 pub(crate) mod certify;
 pub(crate) mod count;
 pub(crate) mod growth;
-pub(crate) mod sets;
 pub(crate) mod surface;
 
 use anyhow::{Context, Result, bail};

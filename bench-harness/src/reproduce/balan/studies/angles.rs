@@ -24,16 +24,16 @@ use crate::reproduce::balan::records::{AngleRow, Records};
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
 use crate::reproduce::rows::{FailureRow, SetRow};
+use crate::reproduce::sets::PointSet3;
 use crate::reproduce::space::certify::certify;
-use crate::reproduce::space::sets::PointSet3;
 use anyhow::Result;
 use geometry_core::{Exact, Hull3, Kernel3, Point3};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The name of this experiment in the records.
+/// The name of this study in the records.
 pub(crate) const STAGE: &str = "angles";
 
-/// Repeats the top merge of every set of the definition.
+/// Repeats the top merge of every set of the study.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let progress = Progress::start(STAGE, studies.angles.len());
     for block in &studies.angles {

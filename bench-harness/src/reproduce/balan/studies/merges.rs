@@ -7,13 +7,13 @@ use crate::reproduce::balan::definition::Studies;
 use crate::reproduce::balan::records::{MergeRow, Records};
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
+use crate::reproduce::sets::PointSet3;
 use crate::reproduce::space::certify::{Certified3, certify};
-use crate::reproduce::space::sets::PointSet3;
 use anyhow::Result;
 use divide_and_conquer::preparata_hong_3d::{Variant, merges};
 use geometry_core::{Exact, Points};
 
-/// The name of this experiment in the records.
+/// The name of this study in the records.
 const STAGE: &str = "merges";
 
 /// The method that looks at every edge at hand once a step.
@@ -22,7 +22,7 @@ pub(crate) const LOOKING: &str = "preparata-hong-rescan";
 /// The method that sorts them.
 pub(crate) const SORTING: &str = "preparata-hong-balan";
 
-/// Runs both methods on every set of the definition.
+/// Runs both methods on every set of the study.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let progress = Progress::start(STAGE, studies.merges.len());
     for block in &studies.merges {

@@ -8,14 +8,14 @@ use crate::reproduce::balan::records::Records;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
 use crate::reproduce::rows::{CountRow, FailureRow, SetRow};
+use crate::reproduce::sets::PointSet3;
 use crate::reproduce::space::certify::certify_results;
 use crate::reproduce::space::count::row;
-use crate::reproduce::space::sets::PointSet3;
 use anyhow::Result;
 use geometry_core::{Counted, Exact, Points, Tally};
 use incremental::{Order, incremental_3d_in};
 
-/// The name of this experiment in the records.
+/// The name of this study in the records.
 const STAGE: &str = "orders";
 
 /// The methods' names in the records.

@@ -1,6 +1,6 @@
 //! B-5: the worst order of insertion.
 
-use super::{Outcome, Part, Verdict, all_of};
+use super::{Outcome, Part, Verdict, verdict};
 use crate::reproduce::balan::records::Records;
 use crate::reproduce::balan::studies::orders::{AS_GIVEN, SHUFFLED};
 use crate::reproduce::rows::CountRow;
@@ -33,12 +33,7 @@ pub(super) fn judge(records: &Records) -> Verdict {
                 given.1 / shuffled.1
             )
         });
-    Verdict {
-        id: "B-5",
-        outcome: all_of(parts.iter().map(|part| part.outcome)),
-        parts,
-        notes: notes.into_iter().collect(),
-    }
+    verdict("B-5", parts, notes.into_iter().collect())
 }
 
 /// Whether the facets made in the order as given are n²/4 at the largest n, to one part in a hundred.

@@ -16,7 +16,7 @@ pub(crate) mod predictions;
 
 use super::Balan;
 use crate::reproduce::paper::Claim;
-use crate::reproduce::verdict::{Outcome, Part, Verdict, all_of};
+use crate::reproduce::verdict::{Outcome, Part, Verdict, all_of, verdict};
 
 /// The claims, in order.
 pub(crate) const CLAIMS: &[Claim<Balan>] = &[

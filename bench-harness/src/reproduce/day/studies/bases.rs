@@ -17,8 +17,8 @@ use crate::reproduce::day::records::{BaseRow, DummyRow, Records};
 use crate::reproduce::day::{formats, sets};
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
+use crate::reproduce::sets::{PointSet3, digest};
 use crate::reproduce::space::certify::certify;
-use crate::reproduce::space::sets::{PointSet3, digest};
 use crate::reproduce::space::spatial_method;
 use anyhow::Result;
 use divide_and_conquer::preparata_hong_3d::cotangent::Outcome;
@@ -26,10 +26,10 @@ use divide_and_conquer::preparata_hong_3d::{MergeRecord, Variant, merges};
 use geometry_core::dimension::AffineBasis;
 use geometry_core::{Counted, Exact, Kernel3, Point3, Points, Sign, Tally};
 
-/// The name of this experiment in the records.
+/// The name of this study in the records.
 const STAGE: &str = "bases";
 
-/// Counts every base of the definition, and tries the sets with dummies.
+/// Counts every base of the study, and tries the sets with dummies.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let progress = Progress::start(STAGE, 2);
     let Bases {

@@ -12,14 +12,14 @@ use crate::reproduce::day::watch::Watched;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
 use crate::reproduce::rows::{FailureRow, SetRow};
+use crate::reproduce::sets::PointSet3;
 use crate::reproduce::space::certify::certify;
-use crate::reproduce::space::sets::PointSet3;
 use anyhow::Result;
 use divide_and_conquer::preparata_hong_3d;
 use geometry_core::dimension::AffineBasis;
 use geometry_core::{Exact, Points, Silent};
 
-/// The name of this experiment in the records.
+/// The name of this study in the records.
 const STAGE: &str = "battery";
 
 /// What must agree on every set.
@@ -35,7 +35,7 @@ const METHODS: [&str; 6] = [
 /// How exact answers are called among the formats.
 pub(crate) const EXACT: &str = "exact";
 
-/// Runs the battery of the definition.
+/// Runs the battery of the study.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let battery = &studies.degenerate;
     let general = battery.general.iter();

@@ -12,17 +12,17 @@ use crate::reproduce::day::sets;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
 use crate::reproduce::rows::FailureRow;
-use crate::reproduce::space::sets::{PointSet3, digest};
+use crate::reproduce::sets::{PointSet3, digest};
 use anyhow::Result;
 use geometry_core::{Hull3, Points};
 
-/// The name of this experiment in the records.
+/// The name of this study in the records.
 const STAGE: &str = "checks";
 
 /// How exact answers are called among the formats.
 pub(crate) const EXACT: &str = "exact";
 
-/// Checks the hulls of every format of the definition.
+/// Checks the hulls of every format of the study.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let Checks {
         distribution,

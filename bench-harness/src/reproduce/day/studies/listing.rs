@@ -7,17 +7,17 @@ use crate::reproduce::day::records::{ListingRow, Records};
 use crate::reproduce::day::sets;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
+use crate::reproduce::sets::PointSet3;
 use crate::reproduce::space::certify::certify;
-use crate::reproduce::space::sets::PointSet3;
 use anyhow::Result;
 use divide_and_conquer::preparata_hong_3d::listings;
 use geometry_core::{Exact, Hull3, Points};
 use std::collections::BTreeSet;
 
-/// The name of this experiment in the records.
+/// The name of this study in the records.
 const STAGE: &str = "listing";
 
-/// Lists the faces of every set of the definition.
+/// Lists the faces of every set of the study.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let progress = Progress::start(STAGE, studies.listing.len());
     for block in &studies.listing {

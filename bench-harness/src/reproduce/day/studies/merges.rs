@@ -6,16 +6,16 @@ use crate::reproduce::day::records::{MergeRow, Records};
 use crate::reproduce::day::{sets, variants};
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
+use crate::reproduce::sets::PointSet3;
 use crate::reproduce::space::certify::{Certified3, certify};
-use crate::reproduce::space::sets::PointSet3;
 use anyhow::Result;
 use divide_and_conquer::preparata_hong_3d::merges;
 use geometry_core::{Exact, Points};
 
-/// The name of this experiment in the records.
+/// The name of this study in the records.
 const STAGE: &str = "merges";
 
-/// Merges every set of the definition by every rule.
+/// Merges every set of the study by every rule.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let progress = Progress::start(STAGE, studies.merges.len());
     for block in &studies.merges {

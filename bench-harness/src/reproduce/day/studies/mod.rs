@@ -24,8 +24,8 @@ pub(crate) mod turned;
 
 use super::formats::Machine;
 use crate::reproduce::rows::FailureRow;
+use crate::reproduce::sets::PointSet3;
 use crate::reproduce::space::certify::certify;
-use crate::reproduce::space::sets::PointSet3;
 use anyhow::Result;
 use geometry_core::Hull3;
 

@@ -12,15 +12,15 @@ use crate::reproduce::day::sets;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
 use crate::reproduce::rows::FailureRow;
-use crate::reproduce::space::sets::digest;
+use crate::reproduce::sets::digest;
 use anyhow::{Context, Result};
 use divide_and_conquer::preparata_hong_3d::cotangent::Outcome;
 use geometry_core::Hull3;
 
-/// The name of this experiment in the records.
+/// The name of this study in the records.
 const STAGE: &str = "precision";
 
-/// Runs every cell of the definition.
+/// Runs every cell of the study.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let blocks = &studies.precision.cells;
     let progress = Progress::start(STAGE, blocks.len());

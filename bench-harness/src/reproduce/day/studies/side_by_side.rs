@@ -11,10 +11,10 @@ use anyhow::Result;
 use divide_and_conquer::{preparata_hong_3d, preparata_hong_parallel};
 use geometry_core::{Exact, Points, Silent};
 
-/// The name of this experiment in the records.
+/// The name of this study in the records.
 const STAGE: &str = "side by side";
 
-/// Runs every set of the definition both ways.
+/// Runs every set of the study both ways.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let progress = Progress::start(STAGE, studies.parallel.len());
     for block in &studies.parallel {

@@ -15,10 +15,10 @@ use divide_and_conquer::preparata_hong_3d::cotangent::Outcome;
 use geometry_core::{Point3, Points};
 use std::hint::black_box;
 
-/// The name of this experiment in the records.
+/// The name of this study in the records.
 const STAGE: &str = "speed";
 
-/// Times the formats of the definition.
+/// Times the formats of the study.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let speed = &studies.speed;
     let progress = Progress::start(STAGE, 1);

@@ -20,7 +20,7 @@ pub(crate) mod predictions;
 
 use super::Day;
 use crate::reproduce::paper::Claim;
-use crate::reproduce::verdict::{Outcome, Part, Verdict, all_of};
+use crate::reproduce::verdict::{Outcome, Part, Verdict, all_of, always, verdict};
 use crate::stats::wilson;
 
 /// The claims, in order.
@@ -43,26 +43,6 @@ pub(crate) const CLAIMS: &[Claim<Day>] = &[
         d11::judge(records)
     }),
 ];
-
-/// The verdict on a claim that says all of `parts`.
-fn verdict(id: &'static str, parts: Vec<Part>, notes: Vec<String>) -> Verdict {
-    Verdict {
-        id,
-        outcome: all_of(parts.iter().map(|part| part.outcome)),
-        parts,
-        notes,
-    }
-}
-
-/// A claim of "always": one case against it refutes it, and it takes a hundred cases to confirm it.
-fn always(against: usize, cases: usize) -> Outcome {
-    match (against, cases) {
-        (_, 0) => Outcome::NotTestable,
-        (0, 100..) => Outcome::Confirmed,
-        (0, _) => Outcome::NotDistinguishable,
-        _ => Outcome::Refuted,
-    }
-}
 
 /// "k of n, share [Wilson's interval]".
 fn share(hits: usize, trials: usize) -> String {

@@ -4,17 +4,17 @@ use super::layers_method;
 use crate::reproduce::data::product;
 use crate::reproduce::green_silverman::definition::Studies;
 use crate::reproduce::green_silverman::records::{PeelRow, Records, RingRow};
-use crate::reproduce::green_silverman::sets::PointSet;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
 use crate::reproduce::rows::{FailureRow, SetRow};
+use crate::reproduce::sets::PointSet2;
 use anyhow::Result;
 use geometry_core::{Boundary, Counted, Exact, Hull2, Layers, Points, Tally};
 
 /// The method whose peelings are counted: Green and Silverman's.
 const METHOD: &str = "gs-peel";
 
-/// Peels every cell of the definition.
+/// Peels every cell of the study.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let blocks = studies.peels.iter();
     let cells: Vec<(String, usize, u64)> = blocks
@@ -27,7 +27,7 @@ pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     for (distribution, n, replicates) in cells {
         let numbers: Vec<u64> = (0..replicates).collect();
         let peeled = parallel::map(&numbers, |&replicate| {
-            peel(&PointSet::generate(
+            peel(&PointSet2::generate(
                 studies.seed,
                 &distribution,
                 n,
@@ -47,7 +47,7 @@ pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
 }
 
 /// One counted and certified peeling.
-fn peel(set: &PointSet) -> Result<(SetRow, Result<PeelRow, FailureRow>)> {
+fn peel(set: &PointSet2) -> Result<(SetRow, Result<PeelRow, FailureRow>)> {
     let kernel = Counted::new(Exact);
     let mut tally = Tally::default();
     let points = Points::new(&set.points)?;
@@ -104,7 +104,7 @@ pub(crate) fn lattices(studies: &Studies, records: &mut Records) -> Result<()> {
         ),
     ];
     for (distribution, n) in lattices {
-        let set = PointSet::generate(studies.seed, distribution, n, 0)?;
+        let set = PointSet2::generate(studies.seed, distribution, n, 0)?;
         for (boundary, name) in [(Boundary::All, "all"), (Boundary::Extreme, "extreme")] {
             for method in ["gs-peel", "chain-peel"] {
                 let layers = (layers_method(method)?.exact)(Points::new(&set.points)?, boundary)?;

@@ -12,10 +12,10 @@
 use super::{hull_method, layers_method};
 use crate::reproduce::green_silverman::definition::Studies;
 use crate::reproduce::green_silverman::records::{Records, ToleranceRow};
-use crate::reproduce::green_silverman::sets::PointSet;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
 use crate::reproduce::rows::FailureRow;
+use crate::reproduce::sets::PointSet2;
 use anyhow::{Result, bail};
 use geometry_core::tolerance::formats::{Cdc7600, Double, Extended, IbmShort, Single};
 use geometry_core::{Boundary, Kernel2, Layers, Points, Tally, Tolerance};
@@ -30,7 +30,7 @@ struct Presentation {
     decimals: Option<u32>,
 }
 
-/// Runs the sweep of the definition.
+/// Runs the sweep of the study.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let mut decimals = vec![None];
     decimals.extend(studies.tolerance.lattice.decimals.iter().copied().map(Some));
@@ -68,7 +68,7 @@ pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
 /// The sweep over one random set.
 fn random(studies: &Studies, replicate: u64) -> Result<Vec<ToleranceRow>> {
     let data = &studies.tolerance.random;
-    let set = PointSet::generate(studies.seed, &data.distribution, data.n, replicate)?;
+    let set = PointSet2::generate(studies.seed, &data.distribution, data.n, replicate)?;
     let points = Points::new(&set.points)?;
     let right = Answer::of(&(layers_method("gs-peel")?.exact)(points, Boundary::All)?);
     let sweep = Sweep {
@@ -88,12 +88,12 @@ fn lattice(
 ) -> Result<(Vec<ToleranceRow>, Option<FailureRow>)> {
     let data = &studies.tolerance.lattice;
     let gs_peel = layers_method("gs-peel")?;
-    let plain = PointSet::generate(studies.seed, &data.plain, data.n, 0)?;
+    let plain = PointSet2::generate(studies.seed, &data.plain, data.n, 0)?;
     let intended = Answer::of(&(gs_peel.exact)(
         Points::new(&plain.points)?,
         Boundary::All,
     )?);
-    let mut set = PointSet::generate(studies.seed, &data.distribution, data.n, replicate)?;
+    let mut set = PointSet2::generate(studies.seed, &data.distribution, data.n, replicate)?;
     if presentation.fitted {
         fit_into_unit_square(&mut set.points);
     }
@@ -225,7 +225,7 @@ fn peels_to(points: Points<'_, 2>, kernel: &dyn Kernel2, right: &Answer) -> char
 #[derive(Clone, Copy)]
 struct Sweep<'a> {
     studies: &'a Studies,
-    set: &'a PointSet,
+    set: &'a PointSet2,
     data: &'static str,
     decimals: Option<u32>,
 }

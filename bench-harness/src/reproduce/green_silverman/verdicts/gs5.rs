@@ -1,6 +1,6 @@
 //! GS-5: the limits of the tolerance in Table 1, and Eddy's method on the lattice.
 
-use super::{Outcome, Part, Verdict, all_of};
+use super::{Outcome, Part, Verdict, all_of, verdict};
 use crate::reproduce::green_silverman::published::{Published, Threshold};
 use crate::reproduce::green_silverman::records::{Records, ToleranceRow};
 use crate::stats::wilson;
@@ -26,12 +26,7 @@ pub(super) fn judge(records: &Records, published: &Published) -> Verdict {
     }
     parts.push(eddy(records));
     parts.push(control(records));
-    Verdict {
-        id: "GS-5",
-        outcome: all_of(parts.iter().map(|part| part.outcome)),
-        parts,
-        notes,
-    }
+    verdict("GS-5", parts, notes)
 }
 
 /// The sweeps over one kind of data in one format.

@@ -1,6 +1,6 @@
 //! GS-7: how large the stack of labels grows.
 
-use super::{Outcome, Part, Verdict, all_of};
+use super::{Outcome, Part, Verdict, verdict};
 use crate::reproduce::green_silverman::derived::range;
 use crate::reproduce::green_silverman::published::{DISTRIBUTIONS, Published};
 use crate::reproduce::green_silverman::records::{PeelRow, Records};
@@ -14,13 +14,7 @@ pub(super) fn judge(records: &Records, _: &Published) -> Verdict {
                 .map(|distribution| order(records, distribution)),
         )
         .collect();
-    let outcome = all_of(parts.iter().map(|part| part.outcome));
-    Verdict {
-        id: "GS-7",
-        outcome,
-        parts,
-        notes: circle(records).into_iter().collect(),
-    }
+    verdict("GS-7", parts, circle(records).into_iter().collect())
 }
 
 /// The rows whose stack was watched.

@@ -1,19 +1,13 @@
 //! GS-8: collinear points on the boundary count as vertices.
 
 use super::gs5::RINGS;
-use super::{Outcome, Part, Verdict, all_of};
+use super::{Outcome, Part, Verdict, verdict};
 use crate::reproduce::green_silverman::published::Published;
 use crate::reproduce::green_silverman::records::{Records, RingRow};
 
 pub(super) fn judge(records: &Records, _: &Published) -> Verdict {
     let parts = vec![with_all(records), with_corners(records)];
-    let outcome = all_of(parts.iter().map(|part| part.outcome));
-    Verdict {
-        id: "GS-8",
-        outcome,
-        parts,
-        notes: Vec::new(),
-    }
+    verdict("GS-8", parts, Vec::new())
 }
 
 fn rows<'a>(records: &'a Records, boundary: &'a str) -> Vec<&'a RingRow> {

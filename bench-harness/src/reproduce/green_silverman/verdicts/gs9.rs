@@ -1,6 +1,6 @@
 //! GS-9: what a complete peeling costs.
 
-use super::{Outcome, Part, Verdict, all_of};
+use super::{Outcome, Part, Verdict, verdict};
 use crate::reproduce::green_silverman::derived::{range, upper_decades};
 use crate::reproduce::green_silverman::published::Published;
 use crate::reproduce::green_silverman::records::{PeelRow, Records};
@@ -24,13 +24,7 @@ pub(super) fn judge(records: &Records, _: &Published) -> Verdict {
         }),
         exponent(records, "layers", 2.0 / 3.0, |row| row.layers as u64),
     ];
-    let outcome = all_of(parts.iter().map(|part| part.outcome));
-    Verdict {
-        id: "GS-9",
-        outcome,
-        parts,
-        notes: constants(records).into_iter().collect(),
-    }
+    verdict("GS-9", parts, constants(records).into_iter().collect())
 }
 
 fn exponent(records: &Records, what: &str, target: f64, quantity: fn(&PeelRow) -> u64) -> Part {

@@ -20,7 +20,7 @@ pub(crate) use gs5::{limit_from_above, limit_from_below};
 
 use super::GreenSilverman;
 use crate::reproduce::paper::Claim;
-use crate::reproduce::verdict::{Outcome, Part, Verdict, all_of, ratio_text, with_time};
+use crate::reproduce::verdict::{Outcome, Part, Verdict, all_of, ratio_text, verdict, with_time};
 
 /// The claims, in order.
 pub(crate) const CLAIMS: &[Claim<GreenSilverman>] = &[

@@ -9,7 +9,7 @@ use crate::reproduce::nathan::records::{EpsilonRow, Records};
 use crate::reproduce::nathan::sets;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
-use crate::reproduce::space::sets::digest;
+use crate::reproduce::sets::digest;
 use crate::reproduce::space::surface::is_hull;
 use anyhow::Result;
 use geometry_core::{Exact, Hull3, Perturbed, Points, Silent};
@@ -22,7 +22,7 @@ const ARMS: [(&str, &str); 3] = [
     ("exact", "tested"),
 ];
 
-/// Wraps every set of the definition at every offset.
+/// Wraps every set of the study at every offset.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let block = &studies.epsilon;
     let cells = product(&block.distributions, &[block.n]);

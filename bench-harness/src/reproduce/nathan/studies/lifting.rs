@@ -10,14 +10,14 @@ use crate::reproduce::nathan::records::{GridRow, LiftRow, Records};
 use crate::reproduce::nathan::sets;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
-use crate::reproduce::space::sets::digest;
+use crate::reproduce::sets::digest;
 use anyhow::Result;
 use geometry_core::{
     Axis, Exact, Hull3, InCircle, Kernel3, Lifted, Point2, Point3, Points, Triangulation,
 };
 use std::collections::HashMap;
 
-/// Triangulates every set of the definition at every offset, and lifts the grids.
+/// Triangulates every set of the study at every offset, and lifts the grids.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let cells = |block: &Shifted| product(&block.distributions, &[block.n]);
     let all = studies.lifting.iter().map(|block| cells(block).len()).sum();

@@ -8,7 +8,7 @@ use crate::reproduce::nathan::definition::Corners;
 use crate::reproduce::nathan::records::Records;
 use crate::reproduce::nathan::sets;
 use crate::reproduce::rows::SetRow;
-use crate::reproduce::space::sets::PointSet3;
+use crate::reproduce::sets::PointSet3;
 use crate::reproduce::space::surface::is_hull;
 use anyhow::Result;
 use geometry_core::{Exact, HullError, Observer, Perturbed, Point3, Points, Silent, Step};

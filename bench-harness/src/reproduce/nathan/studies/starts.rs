@@ -9,7 +9,7 @@ use crate::reproduce::nathan::records::{Records, StartRow};
 use crate::reproduce::nathan::sets;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
-use crate::reproduce::space::sets::digest;
+use crate::reproduce::sets::digest;
 use anyhow::Result;
 use geometry_core::{Exact, Perturbed, Points, Silent};
 use gift_wrap::nathan::{Ending, NathanOptions, Start, study};
@@ -21,7 +21,7 @@ const STARTS: [(&str, Start); 3] = [
     ("lexicographic", Start::Lexicographic),
 ];
 
-/// Tries every way to choose on every set of the definition.
+/// Tries every way to choose on every set of the study.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let block = &studies.starts;
     let cells = product(&block.distributions, &[block.n]);

@@ -6,7 +6,7 @@
 use super::failure;
 use crate::reproduce::nathan::definition::{Studies, Sweep};
 use crate::reproduce::nathan::records::{Records, SweepRow};
-use crate::reproduce::space::sets::PointSet3;
+use crate::reproduce::sets::PointSet3;
 use anyhow::Result;
 use geometry_core::Point3;
 use geometry_core::hull3::Location;

@@ -11,8 +11,8 @@ use crate::reproduce::nathan::sets;
 use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
 use crate::reproduce::rows::FailureRow;
+use crate::reproduce::sets::PointSet3;
 use crate::reproduce::space::certify::{Certified3, certify};
-use crate::reproduce::space::sets::PointSet3;
 use crate::reproduce::space::spatial_method;
 use crate::reproduce::space::surface::is_hull;
 use anyhow::Result;
@@ -22,7 +22,7 @@ use gift_wrap::nathan::{NathanOptions, study};
 
 const STAGE: &str = "wraps";
 
-/// Wraps every cell of the definition.
+/// Wraps every cell of the study.
 pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let cells = |block: &Wraps| product(&block.distributions, &block.n);
     let all = studies.wraps.iter().map(|block| cells(block).len()).sum();

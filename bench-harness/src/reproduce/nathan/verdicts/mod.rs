@@ -20,7 +20,7 @@ pub(crate) use n6::CELL_MARGIN;
 use super::Nathan;
 use super::records::{Records, WrapRow};
 use crate::reproduce::paper::Claim;
-use crate::reproduce::verdict::{Outcome, Part, Verdict, all_of};
+use crate::reproduce::verdict::{Outcome, Part, Verdict, always, verdict};
 
 /// The claims, in order.
 pub(crate) const CLAIMS: &[Claim<Nathan>] = &[
@@ -33,26 +33,6 @@ pub(crate) const CLAIMS: &[Claim<Nathan>] = &[
     Claim::new("N-7", &["lifting"], |records, _| n7::judge(records)),
     Claim::new("N-8", &["sweep"], |records, _| n8::judge(records)),
 ];
-
-/// The verdict on a claim that says all of `parts`.
-fn verdict(id: &'static str, parts: Vec<Part>, notes: Vec<String>) -> Verdict {
-    Verdict {
-        id,
-        outcome: all_of(parts.iter().map(|part| part.outcome)),
-        parts,
-        notes,
-    }
-}
-
-/// A claim of "always": one case against it refutes it, and it takes a hundred cases to confirm it.
-fn always(against: usize, cases: usize) -> Outcome {
-    match (against, cases) {
-        (_, 0) => Outcome::NotTestable,
-        (0, 100..) => Outcome::Confirmed,
-        (0, _) => Outcome::NotDistinguishable,
-        _ => Outcome::Refuted,
-    }
-}
 
 /// The wraps of one variant of sets in one order.
 fn wraps<'a>(

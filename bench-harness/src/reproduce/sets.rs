@@ -1,15 +1,14 @@
-//! The point sets of an experiment in space, each determined by (seed, distribution, n, replicate).
+//! The point sets of studies, each determined by (seed, distribution, n, replicate).
 
 use anyhow::{Context, Result};
-use geometry_core::Point3;
-use point_sets::Spec;
+use point_sets::{Spec, SpecError};
 use sha2::{Digest, Sha256};
 use std::str::FromStr;
 
 /// A generated set and what it was generated from.
 #[derive(Clone, Debug)]
-pub(crate) struct PointSet3 {
-    /// The name of the distribution, as in the definition.
+pub(crate) struct PointSet<const D: usize> {
+    /// The name of the distribution, as in the study.
     pub(crate) distribution: String,
     /// Points asked for.
     pub(crate) n: usize,
@@ -18,7 +17,27 @@ pub(crate) struct PointSet3 {
     /// The seed of this set alone.
     pub(crate) seed: u64,
     /// The points.
-    pub(crate) points: Vec<Point3>,
+    pub(crate) points: Vec<[f64; D]>,
+}
+
+/// Points of the plane.
+pub(crate) type PointSet2 = PointSet<2>;
+
+/// Points of space.
+pub(crate) type PointSet3 = PointSet<3>;
+
+type Generate<const D: usize> = fn(&Spec, usize, u64) -> Result<Vec<[f64; D]>, SpecError>;
+
+impl PointSet2 {
+    /// Generates replicate `replicate` of the cell (`distribution`, `n`).
+    pub(crate) fn generate(
+        seed: u64,
+        distribution: &str,
+        n: usize,
+        replicate: u64,
+    ) -> Result<Self> {
+        Self::by(Spec::generate, seed, distribution, n, replicate)
+    }
 }
 
 impl PointSet3 {
@@ -29,11 +48,22 @@ impl PointSet3 {
         n: usize,
         replicate: u64,
     ) -> Result<Self> {
+        Self::by(Spec::generate3, seed, distribution, n, replicate)
+    }
+}
+
+impl<const D: usize> PointSet<D> {
+    fn by(
+        generate: Generate<D>,
+        seed: u64,
+        distribution: &str,
+        n: usize,
+        replicate: u64,
+    ) -> Result<Self> {
         let spec = Spec::from_str(distribution)
             .with_context(|| format!("the distribution {distribution:?}"))?;
         let seed = point_sets::cell_seed(seed, &spec, n, replicate);
-        let points = spec
-            .generate3(n, seed)
+        let points = generate(&spec, n, seed)
             .with_context(|| format!("generating {n} points of {distribution:?}"))?;
         Ok(Self {
             distribution: distribution.to_owned(),
@@ -45,7 +75,7 @@ impl PointSet3 {
     }
 
     /// The same set with its points changed, under another name.
-    pub(crate) fn changed(self, name: &str, change: impl FnOnce(&mut Vec<Point3>)) -> Self {
+    pub(crate) fn changed(self, name: &str, change: impl FnOnce(&mut Vec<[f64; D]>)) -> Self {
         let mut set = Self {
             distribution: name.to_owned(),
             ..self
