@@ -8,7 +8,8 @@ use std::path::Path;
 /// The folder in a checkout.
 const FOLDER: &str = "data/definitions";
 
-static BUILT_IN: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../data/definitions");
+/// The definitions as built into the program.
+pub(crate) static BUILT_IN: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../data/definitions");
 
 /// The text of a definition and where it lies.
 #[derive(Clone, Debug, PartialEq, Eq)]

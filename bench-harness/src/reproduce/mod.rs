@@ -2,14 +2,17 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | `paper` | what a paper is to the harness |
-//! | one folder a paper | its definition, experiments, records, verdicts and report |
-//! | `data` | definitions, published figures and claims, from `data/` |
+//! | `paper` | what a paper is to the harness, and how any paper is reproduced |
+//! | one folder a paper | what is asked for, its studies, records, verdicts and renderers |
+//! | `data` | studies, published figures, claims and predictions, from `data/` |
+//! | `recorded`, `rows` | from the records of a measured run to the rows of a paper |
+//! | `ratio` | times of one contestant over another's |
 //! | `theory` | expected numbers of vertices |
-//! | `space` | what papers on hulls in space share: sets, certificates, counts, rows |
-//! | `timing` | samples of time, interleaved and warm |
+//! | `sets` | the point sets of studies |
+//! | `space` | what studies in space share: certificates, counts, exponents |
+//! | `timing` | what a study times that is no registered method: samples, interleaved and warm |
 //! | `verdict`, `prediction` | outcomes and how parts make a whole; what we expected |
-//! | `render` | the pieces of a report: sheets, plots, claims, the folder |
+//! | `render` | the pieces of a report: sheets, plots, claims, the first page, the folder |
 
 mod balan;
 mod data;
@@ -18,28 +21,33 @@ mod green_silverman;
 mod nathan;
 mod paper;
 mod prediction;
+mod ratio;
+mod recorded;
 pub(crate) mod render;
+mod rows;
+mod sets;
 mod space;
 mod theory;
 mod timing;
 mod verdict;
 
+use crate::definition::Extent;
 use crate::failure::Failure;
 use crate::output::target::to_stdout;
 use crate::{parallel, progress, provenance};
 use anyhow::Result;
-use paper::{Judged, Paper, Request};
+use paper::{Entry, Judged, Request, entry};
 use provenance::Provenance;
 use render::folder::Folder;
 use std::path::PathBuf;
 use std::time::Instant;
 
 /// Every paper, in the order of the report.
-const PAPERS: &[Paper] = &[
-    green_silverman::GREEN_SILVERMAN,
-    day::DAY,
-    nathan::NATHAN,
-    balan::BALAN_MUNJAL_RAO,
+const PAPERS: &[Entry] = &[
+    entry::<green_silverman::GreenSilverman>(),
+    entry::<day::Day>(),
+    entry::<nathan::Nathan>(),
+    entry::<balan::Balan>(),
 ];
 
 /// The options of `hullbench reproduce`.
@@ -79,12 +87,17 @@ pub fn run(args: &Args) -> Result<()> {
     let wanted = wanted(PAPERS, &args.ids)?;
     let command = command(args);
     let base = folder(args);
+    let extent = if args.quick {
+        Extent::Quick
+    } else {
+        Extent::Full
+    };
     let mut judged = Vec::new();
     for (paper, ids) in wanted {
         let folder = base.join(paper.slug);
         let request = Request {
             ids: &ids,
-            quick: args.quick,
+            extent,
             seed: args.seed,
             folder: &folder,
             command: &command,
@@ -113,12 +126,12 @@ pub fn run(args: &Args) -> Result<()> {
 }
 
 /// The papers that `ids` concern, each with the ids that are its own; none stands for all.
-fn wanted<'a>(papers: &'a [Paper], ids: &[String]) -> Result<Vec<(&'a Paper, Vec<String>)>> {
+fn wanted<'a>(papers: &'a [Entry], ids: &[String]) -> Result<Vec<(&'a Entry, Vec<String>)>> {
     let mut unknown: Vec<&String> = ids.iter().collect();
     let mut found = Vec::new();
     let mut known = Vec::new();
     for paper in papers {
-        let names = (paper.ids)()?;
+        let names = (paper.ids)();
         let whole = ids.iter().any(|id| id.eq_ignore_ascii_case(paper.slug));
         let is_own = |id: &&String| names.iter().any(|name| name.eq_ignore_ascii_case(id));
         let own: Vec<String> = ids.iter().filter(is_own).cloned().collect();
@@ -159,7 +172,7 @@ fn folder(args: &Args) -> PathBuf {
 }
 
 /// Writes `REPORT.md`, the page that leads to the papers' own.
-fn write_index(folder: &Folder, judged: &[(&Paper, Judged)]) -> Result<()> {
+fn write_index(folder: &Folder, judged: &[(&Entry, Judged)]) -> Result<()> {
     let mut body = String::from(
         "Each paper's tables and figures regenerated, and each of its claims judged by an experiment that could have \
          come out otherwise.\n\n",
@@ -242,7 +255,7 @@ mod tests {
         let ids = |ids: &[&str]| {
             let ids: Vec<String> = ids.iter().map(|id| (*id).to_owned()).collect();
             wanted(PAPERS, &ids).map(|found| {
-                let slug = |(paper, ids): (&Paper, Vec<String>)| (paper.slug, ids);
+                let slug = |(paper, ids): (&Entry, Vec<String>)| (paper.slug, ids);
                 found.into_iter().map(slug).collect::<Vec<_>>()
             })
         };

@@ -59,6 +59,26 @@ pub(crate) struct Verdict {
     pub(crate) notes: Vec<String>,
 }
 
+/// The verdict on a claim that says all of `parts`.
+pub(crate) fn verdict(id: &'static str, parts: Vec<Part>, notes: Vec<String>) -> Verdict {
+    Verdict {
+        id,
+        outcome: all_of(parts.iter().map(|part| part.outcome)),
+        parts,
+        notes,
+    }
+}
+
+/// A claim of "always": one case against it refutes it, and it takes a hundred cases to confirm it.
+pub(crate) fn always(against: usize, cases: usize) -> Outcome {
+    match (against, cases) {
+        (_, 0) => Outcome::NotTestable,
+        (0, 100..) => Outcome::Confirmed,
+        (0, _) => Outcome::NotDistinguishable,
+        _ => Outcome::Refuted,
+    }
+}
+
 /// The outcome of a claim that says all of its parts: as bad as the worst.
 pub(crate) fn all_of(outcomes: impl IntoIterator<Item = Outcome>) -> Outcome {
     let outcomes: Vec<Outcome> = outcomes.into_iter().collect();

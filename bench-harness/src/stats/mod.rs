@@ -8,7 +8,6 @@
 //! | [`kendall`] | how alike are two orders |
 //! | [`mod@line`] | slope of a weighted line, and its interval |
 //! | `logistic` | where does a share of successes fall to a half |
-//! | `models` | which laws of growth may a cost follow |
 //! | [`interval`] | what an interval says about a target or a bound |
 //! | [`holm`] | which of many small p-values are still small together |
 //! | [`freedom`] | how many degrees of freedom clusters leave |
@@ -25,7 +24,6 @@ pub mod interval;
 pub mod kendall;
 pub mod line;
 pub(crate) mod logistic;
-pub(crate) mod models;
 mod ranks;
 pub mod runs_test;
 pub mod spearman;

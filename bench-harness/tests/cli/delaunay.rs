@@ -70,7 +70,9 @@ fn far_from_the_origin_it_is_still_proved() {
     }
     let message = shop.run("delaunay --set disc --method gs").failure(2);
     assert!(
-        message.contains("needs a delaunay method: fast-delaunay, fast-delaunay-parallel, lifted-delaunay"),
+        message.contains(
+            "needs a delaunay method: fast-delaunay, fast-delaunay-parallel, lifted-delaunay"
+        ),
         "{message}"
     );
     let message = shop.run("delaunay --set ball").failure(2);

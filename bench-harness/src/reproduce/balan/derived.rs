@@ -1,9 +1,14 @@
 //! What tables, figures and verdicts compute from the records, cell by cell.
 
-use super::experiments::times::TWIN;
 use super::records::Records;
-use crate::reproduce::space::rows::CountRow;
+use crate::reproduce::rows::{CountRow, SetRow};
 use crate::stats::summary::mean;
+
+/// The method to which others are compared.
+pub(crate) const BASE: &str = "quickhull-3d";
+
+/// Its second entry, which shows the noise of a program against itself.
+pub(crate) const TWIN: &str = "quickhull-3d@twin";
 
 /// A distribution and a size.
 pub(crate) type Cell<'a> = (&'a str, usize);
@@ -23,11 +28,6 @@ pub(crate) fn plane_tests(row: &CountRow) -> f64 {
     row.orientations as f64 - (start + 3 * triangles(row) / 2) as f64
 }
 
-/// All questions of every kind.
-pub(crate) fn questions(row: &CountRow) -> f64 {
-    (row.orientations + row.heights + row.shadows + row.lexicographic) as f64
-}
-
 /// The counted runs of `method` on `distribution`.
 pub(crate) fn runs<'a>(
     records: &'a Records,
@@ -40,31 +40,6 @@ pub(crate) fn runs<'a>(
         .filter(move |row| row.distribution == distribution && row.method == method)
 }
 
-/// The cells that were timed, in the order of the records.
-pub(crate) fn timed_cells(records: &Records) -> Vec<(String, usize)> {
-    let mut cells: Vec<(String, usize)> = Vec::new();
-    for row in &records.times {
-        let cell = (row.distribution.clone(), row.n);
-        if !cells.contains(&cell) {
-            cells.push(cell);
-        }
-    }
-    cells
-}
-
-/// The methods timed in `cell`, the second entry of the base left out.
-pub(crate) fn timed_methods(records: &Records, cell: Cell<'_>) -> Vec<String> {
-    let rows = records
-        .times
-        .iter()
-        .filter(|row| (row.distribution.as_str(), row.n) == cell);
-    let mut methods: Vec<String> = rows.map(|row| row.method.clone()).collect();
-    methods.sort();
-    methods.dedup();
-    methods.retain(|method| method != TWIN);
-    methods
-}
-
 /// The mean numbers of vertices and facets of the certified hulls in `cell`.
 pub(crate) fn hull_sizes(records: &Records, stage: &str, cell: Cell<'_>) -> Option<(f64, f64)> {
     let rows: Vec<_> = records
@@ -72,8 +47,9 @@ pub(crate) fn hull_sizes(records: &Records, stage: &str, cell: Cell<'_>) -> Opti
         .iter()
         .filter(|row| row.stage == stage && (row.distribution.as_str(), row.n) == cell)
         .collect();
-    let of = |value: fn(&crate::reproduce::space::rows::SetRow) -> usize| {
+    let of = |value: fn(&SetRow) -> usize| {
         mean(&rows.iter().map(|row| value(row) as f64).collect::<Vec<_>>())
     };
-    (!rows.is_empty()).then(|| (of(|row| row.vertices), of(|row| row.facets)))
+    let facets = |row: &SetRow| row.facets.unwrap_or(0);
+    (!rows.is_empty()).then(|| (of(|row| row.vertices), of(facets)))
 }

@@ -1,134 +1,110 @@
-//! Balan, Munjal and Rao.
+//! Balan, Munjal and Rao: a comparison that prints no times. What it says about the cost of its three programs is
+//! tested by counting, and the table that it does not have is supplied.
 //!
-//! A comparison that prints no times: what it says about the cost of its three programs is tested by counting, and
-//! the table that it does not have is supplied. The pipeline is that of every paper:
-//!
-//! ```text
-//! definition, claims                 data/…                   definition.rs, published.rs
-//!   -> certified, counted, timed     one experiment a file    experiments/
-//!   -> records                       rows of CSV              records.rs
-//!   -> derived quantities            per point, exponents     derived.rs
-//!   -> verdicts                      one claim a file         verdicts/
-//!   -> tables, figures, report       Markdown, CSV, SVG       render/
-//! ```
-//!
-//! Counting and timing are runs of their own, and nothing is counted or timed that is not certified. A verdict
-//! sees records only, never a clock or an algorithm.
+//! Its data: what is asked for and what that needs. The flow is that of every paper ([`super::paper`]).
 
 mod definition;
 mod derived;
-mod experiments;
 mod published;
 mod records;
 mod render;
-mod topics;
+mod studies;
 mod verdicts;
 
-use super::paper::{Judged, Paper, Request};
-use super::provenance::Provenance;
-use super::render::folder::Folder;
-use super::verdict::Verdict;
+use super::data;
+use super::paper::{Claim, Paper, Study, Topic};
 use anyhow::Result;
-use definition::{Definition, PAPER};
-use published::Published;
-use records::Records;
-use std::time::Instant;
-use topics::{Experiment, Topic};
+use definition::Studies;
+use published::Comparison;
+use records::{Records, Studied};
 
-/// The paper, for the list of papers.
-pub(super) const BALAN_MUNJAL_RAO: Paper = Paper {
-    slug: PAPER,
-    title: "Balan, Munjal & Rao",
-    ids,
-    run,
-};
+/// The paper's folder.
+const SLUG: &str = "balan-munjal-rao";
 
-fn ids() -> Result<Vec<String>> {
-    Ok(topics::names(&Published::load()?))
+/// The paper.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Balan;
+
+impl Paper for Balan {
+    const SLUG: &'static str = SLUG;
+    const TITLE: &'static str = "Balan, Munjal & Rao";
+    const ABOUT: &'static str = "A. Balan, G. Munjal and T. R. Rao, *Implementation of Convex Hull Algorithms in 3D \
+         space*: three programs described, their costs stated, no times printed. Here the costs are counted, the claims \
+         judged, and the table that is missing is supplied.";
+
+    type Studies = Studies;
+    type Rows = Studied;
+    type Figures = Vec<Comparison>;
+
+    const TOPICS: &'static [Topic<Self>] = TOPICS;
+    const CLAIMS: &'static [Claim<Self>] = verdicts::CLAIMS;
+    const STUDIES: &'static [Study<Self>] = &[
+        Study::new("merges", studies::merges::run),
+        Study::new("orders", studies::orders::run),
+        Study::new("angles", studies::angles::run),
+    ];
+
+    fn seed(studies: &mut Studies) -> &mut u64 {
+        &mut studies.seed
+    }
+
+    fn analysis(studies: &Studies) -> &str {
+        &studies.analysis
+    }
+
+    /// The paper prints none; these are comparisons by others.
+    fn figures() -> Result<Vec<Comparison>> {
+        data::rows(SLUG, "comparisons.csv")
+    }
+
+    fn measure(id: &str, records: &Records) -> Option<f64> {
+        verdicts::predictions::measure(id, records)
+    }
 }
 
-/// Runs the experiments that the asked-for tables, figures and claims need, and writes the report.
-fn run(request: &Request<'_>) -> Result<Judged> {
-    let started = Instant::now();
-    let published = Published::load()?;
-    let topics = topics::parse(request.ids, &published)?;
-    let mut definition = Definition::load(request.quick)?;
-    definition.seed = request.seed.unwrap_or(definition.seed);
-    let mut provenance = Provenance::collect(request.command.to_owned(), Some(definition.seed));
-    let records = experiment(&definition, &topics)?;
-    provenance.finish(started.elapsed().as_secs());
-    let folder = Folder::open(request.folder.to_owned(), provenance)?;
-    let verdicts = report(&folder, &definition, &topics, &records, &published)?;
-    Ok(Judged {
-        verdicts,
-        uncertified: records.failures.len(),
-        claims: published.claims,
-    })
-}
+const TOPICS: &[Topic<Balan>] = &[
+    Topic {
+        name: "balan-counts",
+        needs: &["balan-counts"],
+        write: |folder, found| render::tables::write_counts(folder, &found.records),
+        line: "[Counts: questions asked and facets made](counts.md), [figures](counts.csv)",
+    },
+    Topic {
+        name: "balan-times",
+        needs: &["balan-times"],
+        write: |folder, found| render::tables::write_times(folder, &found.records, &found.figures),
+        line: "[Times: the table the paper does not print](times.md), [figures](times.csv)",
+    },
+    Topic {
+        name: "balan-angles",
+        needs: &["angles"],
+        write: |folder, found| render::angles::write(folder, &found.records),
+        line: "[Angles: the sign of the cosine](angles.md), [figures](angles.csv)",
+    },
+    Topic {
+        name: "visibility",
+        needs: &["balan-counts"],
+        write: |folder, found| render::figures::write_visibility(folder, &found.records),
+        line: "[Visibility tests without a conflict graph, against n](visibility.svg), [figures](visibility.csv)",
+    },
+    Topic {
+        name: "insertion-orders",
+        needs: &["orders"],
+        write: |folder, found| render::figures::write_orders(folder, &found.records),
+        line: "[Facets made in the worst order and in random order, against n](orders.svg), [figures](orders.csv)",
+    },
+    Topic {
+        name: "evaluations",
+        needs: &["balan-counts"],
+        write: |folder, found| render::figures::write_evaluations(folder, &found.records),
+        line: "[Plane evaluations of quickhull a point, against n](evaluations.svg), [figures](evaluations.csv)",
+    },
+];
 
-/// Runs what `topics` need, each experiment once.
-fn experiment(definition: &Definition, topics: &[Topic]) -> Result<Records> {
-    let needed = |experiment| {
-        topics
-            .iter()
-            .any(|topic| topics::experiments(topic).contains(&experiment))
-    };
-    let mut records = Records::default();
-    if needed(Experiment::Counts) {
-        experiments::counts::run(definition, &mut records)?;
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn claims_predictions_and_needs_fit_the_files() {
+        crate::reproduce::paper::checks::all::<super::Balan>();
     }
-    if needed(Experiment::Merges) {
-        experiments::merges::run(definition, &mut records)?;
-    }
-    if needed(Experiment::Orders) {
-        experiments::orders::run(definition, &mut records)?;
-    }
-    if needed(Experiment::Angles) {
-        experiments::angles::run(definition, &mut records)?;
-    }
-    if needed(Experiment::Times) {
-        experiments::times::run(definition, &mut records)?;
-    }
-    Ok(records)
-}
-
-/// Writes everything that `topics` ask for, and the records. Returns the verdicts.
-fn report(
-    folder: &Folder,
-    definition: &Definition,
-    topics: &[Topic],
-    records: &Records,
-    published: &Published,
-) -> Result<Vec<Verdict>> {
-    let mut verdicts = Vec::new();
-    for topic in topics {
-        match topic {
-            Topic::Counts => render::tables::write_counts(folder, records)?,
-            Topic::Times => render::tables::write_times(folder, records, published)?,
-            Topic::Angles => render::angles::write(folder, records)?,
-            Topic::Visibility => render::figures::write_visibility(folder, records)?,
-            Topic::Orders => render::figures::write_orders(folder, records)?,
-            Topic::Evaluations => render::figures::write_evaluations(folder, records)?,
-            Topic::Claim(id) => verdicts.extend(verdicts::judge(id, records)),
-        }
-    }
-    let predictions = verdicts::predictions::check(records, published);
-    if !verdicts.is_empty() {
-        render::claims::write(folder, &verdicts, &predictions, published)?;
-    }
-    for (name, text, rows) in records.files()? {
-        if rows > 0 {
-            folder.csv(&format!("records-{name}"), &text)?;
-        }
-    }
-    render::index::write(
-        folder,
-        definition,
-        topics,
-        records,
-        &verdicts,
-        &predictions,
-        published,
-    )?;
-    Ok(verdicts)
 }

@@ -1,18 +1,6 @@
-//! What was published: the paper's claims, comparisons by others that ours can stand beside, our predictions.
+//! What was published: comparisons by others that ours can stand beside; and what is compared here.
 
-use super::definition::PAPER;
-use crate::reproduce::data::{Claim, claims, in_checkout_or, rows};
-use crate::reproduce::prediction::{Prediction, predictions};
-use anyhow::{Context, Result};
 use serde::Deserialize;
-
-/// The published figures and claims.
-#[derive(Clone, Debug)]
-pub(crate) struct Published {
-    pub(crate) claims: Vec<Claim>,
-    pub(crate) comparisons: Vec<Comparison>,
-    pub(crate) predictions: Vec<Prediction>,
-}
 
 /// How many times slower one program was found than another, on a machine and in a library that are not ours.
 #[derive(Clone, Debug, Deserialize)]
@@ -29,33 +17,6 @@ pub(crate) struct Comparison {
     pub(crate) distribution: String,
     pub(crate) our_slower: String,
     pub(crate) our_faster: String,
-}
-
-/// The text of a published file: the checkout's, or the copy built into the program.
-macro_rules! text {
-    ($folder:literal, $name:literal) => {
-        in_checkout_or(
-            &format!("data/{}/{PAPER}/{}", $folder, $name),
-            include_str!(concat!(
-                "../../../../data/",
-                $folder,
-                "/balan-munjal-rao/",
-                $name
-            )),
-        )
-    };
-}
-
-impl Published {
-    /// Reads the paper's files.
-    pub(crate) fn load() -> Result<Self> {
-        Ok(Self {
-            claims: claims(&text!("published", "claims.toml")?)?,
-            comparisons: rows(&text!("published", "comparisons.csv")?)
-                .context("in comparisons.csv")?,
-            predictions: predictions(&text!("definitions", "predictions.toml")?)?,
-        })
-    }
 }
 
 /// The three programs of the paper: our slug, the paper's name.
@@ -98,17 +59,13 @@ pub(crate) const DISTRIBUTIONS: [&str; 6] = [
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reproduce::balan::SLUG;
+    use crate::reproduce::data::rows;
 
     #[test]
-    fn the_files_are_valid_and_name_registered_methods() {
-        let published = Published::load().expect("valid");
-        let ids: Vec<&str> = published
-            .claims
-            .iter()
-            .map(|claim| claim.id.as_str())
-            .collect();
-        assert_eq!(ids, ["B-1", "B-2", "B-3", "B-4", "B-5", "B-6", "B-7"]);
-        for comparison in &published.comparisons {
+    fn comparisons_name_registered_methods() {
+        let comparisons: Vec<Comparison> = rows(SLUG, "comparisons.csv").expect("valid");
+        for comparison in &comparisons {
             for slug in [&comparison.our_slower, &comparison.our_faster] {
                 assert!(hullkit::method(slug).is_some(), "{slug}");
             }

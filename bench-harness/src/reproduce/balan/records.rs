@@ -1,25 +1,26 @@
-//! What the experiments leave behind: plain rows, one CSV file a kind. Tables, figures and verdicts are
-//! computed from these alone.
+//! What the studies of this paper leave behind, beside the rows of every paper.
 
-use crate::reproduce::space::rows::{CountRow, FailureRow, SetRow, TimeRow, text};
+use crate::reproduce::rows::{Files, Tables};
 use anyhow::Result;
 use serde::Serialize;
 
-/// Everything recorded in one run.
+/// Everything recorded of this paper.
+pub(crate) type Records = crate::reproduce::rows::Records<Studied>;
+
+/// The rows of the studies.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Records {
-    /// Every set that was counted or timed.
-    pub(crate) sets: Vec<SetRow>,
-    /// Questions asked and facets made.
-    pub(crate) counts: Vec<CountRow>,
+pub(crate) struct Studied {
     /// Work of divide and conquer by merge.
     pub(crate) merges: Vec<MergeRow>,
     /// Choices by angle.
     pub(crate) angles: Vec<AngleRow>,
-    /// Time samples.
-    pub(crate) times: Vec<TimeRow>,
-    /// Results without a certificate.
-    pub(crate) failures: Vec<FailureRow>,
+}
+
+impl Tables for Studied {
+    fn write(&self, files: &mut Files) -> Result<()> {
+        files.add("merges", &self.merges)?;
+        files.add("angles", &self.angles)
+    }
 }
 
 /// The merges of one run of divide and conquer.
@@ -62,22 +63,4 @@ pub(crate) struct AngleRow {
     pub(crate) triple: u64,
     /// The same with exact orientations: the control.
     pub(crate) exact: u64,
-}
-
-impl Records {
-    /// Every file: its name, its text, its number of rows.
-    pub(crate) fn files(&self) -> Result<Vec<(&'static str, String, usize)>> {
-        let files = [
-            ("sets.csv", text(&self.sets)?),
-            ("counts.csv", text(&self.counts)?),
-            ("merges.csv", text(&self.merges)?),
-            ("angles.csv", text(&self.angles)?),
-            ("times.csv", text(&self.times)?),
-            ("failures.csv", text(&self.failures)?),
-        ];
-        Ok(files
-            .into_iter()
-            .map(|(name, (text, rows))| (name, text, rows))
-            .collect())
-    }
 }

@@ -62,7 +62,7 @@ fn product<F: Format>(p: [F; 3], q: [F; 3]) -> F {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reproduce::space::sets::PointSet3;
+    use crate::reproduce::sets::PointSet3;
     use geometry_core::tolerance::formats::{Double, Extended};
 
     #[test]

@@ -1,18 +1,12 @@
-//! The definition of the experiment, read from `data/definitions/`.
+//! What the studies of this paper run on, read from its `studies.toml`.
 
-use crate::reproduce::data::{in_checkout_or, product};
-use anyhow::{Context, Result, ensure};
+use crate::reproduce::data::Cells;
 use serde::Deserialize;
-
-/// Where the paper's files lie below `data/definitions` and `data/published`.
-pub(crate) const PAPER: &str = "day-1990";
 
 /// What is run: which sets, which formats and variants, how often.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Definition {
-    /// The paper's short name.
-    pub(crate) paper: String,
+pub(crate) struct Studies {
     /// The seed from which every set's seed is derived.
     pub(crate) seed: u64,
     /// What a reader should know of this choice.
@@ -23,10 +17,8 @@ pub(crate) struct Definition {
     pub(crate) speed: Speed,
     /// Merges counted.
     pub(crate) merges: Vec<Merges>,
-    /// The whole call counted.
-    pub(crate) counts: Vec<Cells>,
-    /// The whole call timed.
-    pub(crate) times: Vec<Times>,
+    /// Sets that are in no catalogue, of which the whole call is counted.
+    pub(crate) turned: Vec<Cells>,
     /// Degenerate sets.
     pub(crate) degenerate: Degenerate,
     /// Sizes at which the recursion could stop.
@@ -107,15 +99,6 @@ pub(crate) struct Merges {
     pub(crate) replicates: u64,
 }
 
-/// A block of cells.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Cells {
-    pub(crate) distributions: Vec<String>,
-    pub(crate) n: Vec<usize>,
-    pub(crate) replicates: u64,
-}
-
 /// Where the recursion could stop.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -149,19 +132,6 @@ pub(crate) struct Checks {
     /// What makes the hulls, and then checks them.
     pub(crate) formats: Vec<AtPower>,
     pub(crate) sets: u64,
-}
-
-/// A block of cells of which the whole call is timed. A cell is in one block only.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Times {
-    pub(crate) distributions: Vec<String>,
-    pub(crate) n: Vec<usize>,
-    /// Batches of sets.
-    pub(crate) realisations: u64,
-    /// A batch holds different sets of at least so many points in all.
-    pub(crate) points_a_batch: u64,
-    pub(crate) rounds: u32,
 }
 
 /// The battery of degenerate sets, and sets in general position beside them.
@@ -200,61 +170,28 @@ pub(crate) struct Kind {
     pub(crate) what: String,
 }
 
-impl Cells {
-    /// Each set of the block: distribution, size, replicate.
-    pub(crate) fn sets(&self) -> Vec<(String, usize, u64)> {
-        let cells = product(&self.distributions, &self.n).into_iter();
-        let sets = cells.flat_map(|(distribution, n)| {
-            (0..self.replicates).map(move |replicate| (distribution.clone(), n, replicate))
-        });
-        sets.collect()
-    }
-}
-
-impl Definition {
+impl Studies {
     /// The bits of the format called `name`, and who computes in it.
     pub(crate) fn format(&self, name: &str) -> Option<&Format> {
         let formats = self.precision.formats.iter();
         formats.into_iter().find(|format| format.name == name)
-    }
-
-    /// The reference run or the quick one: the checkout's file if the program runs in one, else the copy
-    /// built into the program.
-    pub(crate) fn load(quick: bool) -> Result<Self> {
-        let (name, built_in) = if quick {
-            (
-                "quick.toml",
-                include_str!("../../../../data/definitions/day-1990/quick.toml"),
-            )
-        } else {
-            (
-                "full.toml",
-                include_str!("../../../../data/definitions/day-1990/full.toml"),
-            )
-        };
-        let text = in_checkout_or(&format!("data/definitions/{PAPER}/{name}"), built_in)?;
-        let definition: Self = toml::from_str(&text).with_context(|| format!("in {name}"))?;
-        ensure!(
-            definition.paper == PAPER,
-            "{name} is for the paper {:?}",
-            definition.paper
-        );
-        Ok(definition)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reproduce::data::{EXTENTS, studies};
+    use crate::reproduce::day::SLUG;
     use crate::reproduce::day::formats;
     use crate::reproduce::day::sets::generate;
     use crate::reproduce::day::variants;
 
     #[test]
-    fn both_definitions_name_known_things_only() {
-        for quick in [false, true] {
-            let definition = Definition::load(quick).expect("valid");
-            let precision = &definition.precision;
+    fn both_extents_name_known_things_only() {
+        for extent in EXTENTS {
+            let studies: Studies = studies(SLUG, extent).expect("valid");
+            let precision = &studies.precision;
             for cells in &precision.cells {
                 for name in &cells.formats {
                     let known = precision.formats.iter().any(|format| format.name == *name);
@@ -262,28 +199,24 @@ mod tests {
                 }
                 assert!(cells.powers[0] <= cells.powers[1]);
             }
-            let at_power = definition.degenerate.formats.iter();
-            for format in at_power.chain(&definition.checks.formats) {
+            let at_power = studies.degenerate.formats.iter();
+            for format in at_power.chain(&studies.checks.formats) {
                 assert!(formats::find(&format.name).is_ok(), "{format:?}");
             }
-            assert!(formats::find(&definition.dummies.format).is_ok());
-            for name in definition.merges.iter().flat_map(|block| &block.variants) {
+            assert!(formats::find(&studies.dummies.format).is_ok());
+            for name in studies.merges.iter().flat_map(|block| &block.variants) {
                 assert!(variants::find(name).is_ok(), "no variant {name:?}");
             }
-            let cells = definition.counts.iter().chain(&definition.listing);
-            let cells = cells.chain(&definition.parallel);
+            let cells = studies.turned.iter().chain(&studies.listing);
+            let cells = cells.chain(&studies.parallel);
             let distributions = cells.flat_map(|block| &block.distributions);
             let distributions = distributions
                 .chain(precision.cells.iter().map(|cells| &cells.distribution))
-                .chain(definition.merges.iter().flat_map(|b| &b.distributions))
-                .chain(definition.times.iter().flat_map(|b| &b.distributions))
-                .chain(definition.degenerate.sets.iter().map(|k| &k.distribution))
-                .chain(&definition.bases.distributions)
-                .chain([
-                    &definition.speed.distribution,
-                    &definition.dummies.distribution,
-                ])
-                .chain([&definition.checks.distribution]);
+                .chain(studies.merges.iter().flat_map(|b| &b.distributions))
+                .chain(studies.degenerate.sets.iter().map(|k| &k.distribution))
+                .chain(&studies.bases.distributions)
+                .chain([&studies.speed.distribution, &studies.dummies.distribution])
+                .chain([&studies.checks.distribution]);
             for distribution in distributions {
                 assert!(generate(1, distribution, 66, 0).is_ok(), "{distribution:?}");
             }
@@ -292,18 +225,11 @@ mod tests {
 
     #[test]
     fn parts_of_one_level_have_one_size() {
-        for quick in [false, true] {
-            let bases = Definition::load(quick).expect("valid").bases;
+        for extent in EXTENTS {
+            let Studies { bases, dummies, .. } = studies(SLUG, extent).expect("valid");
             assert!(bases.n.is_power_of_two());
             assert!(bases.sizes.iter().all(|size| size.is_power_of_two()));
-            let dummies = Definition::load(quick).expect("valid").dummies;
             assert!(dummies.n.iter().all(|n| n % 4 != 0));
         }
-    }
-
-    #[test]
-    fn an_unknown_key_is_an_error() {
-        let text = include_str!("../../../../data/definitions/day-1990/quick.toml");
-        assert!(toml::from_str::<Definition>(&format!("sedd = 3\n{text}")).is_err());
     }
 }

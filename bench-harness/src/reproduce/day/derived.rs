@@ -1,9 +1,9 @@
 //! What tables, figures and verdicts compute from the records, cell by cell.
 
-use super::experiments::METHOD;
 use super::records::{MergeRow, PrecisionRow, Records, SpeedRow};
+use super::studies::METHOD;
+use crate::reproduce::rows::TimeRow;
 use crate::reproduce::space::growth::at_largest;
-use crate::reproduce::space::rows::{CountRow, TimeRow};
 use crate::stats::bootstrap::{Bootstrapped, clustered_median};
 use crate::stats::line::{Line, fit};
 use crate::stats::logistic::{self, Logistic};
@@ -48,7 +48,7 @@ impl<'a> Setting<'a> {
 /// The settings of the study, in the order of the records.
 pub(crate) fn settings(records: &Records) -> Vec<Setting<'_>> {
     let mut settings = Vec::new();
-    for row in &records.precision {
+    for row in &records.own.precision {
         let setting = Setting::of(row);
         if !settings.contains(&setting) {
             settings.push(setting);
@@ -59,7 +59,7 @@ pub(crate) fn settings(records: &Records) -> Vec<Setting<'_>> {
 
 /// The rows of a setting, by power.
 pub(crate) fn powers<'a>(records: &'a Records, setting: Setting<'a>) -> Vec<&'a PrecisionRow> {
-    let rows = records.precision.iter();
+    let rows = records.own.precision.iter();
     let mut rows: Vec<_> = rows.filter(|row| Setting::of(row) == setting).collect();
     rows.sort_by_key(|row| row.power);
     rows
@@ -105,7 +105,7 @@ pub(crate) fn thresholds(records: &Records, n: usize) -> Vec<(f64, f64, f64)> {
 
 /// The line of the thresholds against the bits, at the largest n with three formats or more, and that n.
 pub(crate) fn line_of_bits(records: &Records) -> Option<(usize, Line)> {
-    let sizes: BTreeSet<usize> = records.precision.iter().map(|row| row.n).collect();
+    let sizes: BTreeSet<usize> = records.own.precision.iter().map(|row| row.n).collect();
     let full = |n: &usize| {
         let found = thresholds(records, *n);
         let data: Vec<_> = found
@@ -123,7 +123,7 @@ pub(crate) fn merges<'a>(
     distribution: &'a str,
     variant: &'a str,
 ) -> impl Iterator<Item = &'a MergeRow> {
-    let rows = records.merges.iter();
+    let rows = records.own.merges.iter();
     rows.filter(move |row| row.distribution == distribution && row.variant == variant)
 }
 
@@ -157,14 +157,13 @@ pub(crate) fn largest(
 
 /// The distributions merged by the rule `variant`, each once, in the order of the alphabet.
 pub(crate) fn merged<'a>(records: &'a Records, variant: &'a str) -> Vec<&'a str> {
-    let rows = records.merges.iter().filter(|row| row.variant == variant);
+    let rows = records
+        .own
+        .merges
+        .iter()
+        .filter(|row| row.variant == variant);
     let names: BTreeSet<&str> = rows.map(|row| row.distribution.as_str()).collect();
     names.into_iter().collect()
-}
-
-/// All questions of the whole call.
-pub(crate) fn questions(row: &CountRow) -> f64 {
-    (row.orientations + row.heights + row.shadows + row.lexicographic) as f64
 }
 
 /// The distributions of `rows`, each once, in the order of the records.
@@ -195,7 +194,7 @@ pub(crate) fn times(records: &Records, distribution: &str) -> Vec<(f64, f64)> {
 /// The logarithm of the time of one format over that of another on the same sets.
 pub(crate) fn speed_ratio(records: &Records, format: &str, base: &str) -> Option<Bootstrapped> {
     let of = |name: &str| -> BTreeMap<(u64, u32), f64> {
-        let rows = records.speed.iter().filter(|row| row.format == name);
+        let rows = records.own.speed.iter().filter(|row| row.format == name);
         let time = |row: &SpeedRow| row.nanoseconds as f64 / row.calls as f64;
         rows.map(|row| ((row.realisation, row.round), time(row)))
             .collect()

@@ -85,7 +85,7 @@ fn machine<F: Format>() -> Machine {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reproduce::space::sets::PointSet3;
+    use crate::reproduce::sets::PointSet3;
 
     #[test]
     fn a_run_ends_right_wrong_or_not_at_all() {

@@ -1,142 +1,148 @@
-//! Day (1990).
+//! Day (1990). A report on making an algorithm run, without tables: what it says in words is measured, and each
+//! statement judged.
 //!
-//! A report on making an algorithm run, without tables: what it says in words is measured, and each statement judged. The
-//! pipeline is that of every paper:
-//!
-//! ```text
-//! definition, claims                 data/…                   definition.rs, published.rs
-//!   -> certified, counted, timed     one experiment a file    experiments/
-//!   -> records                       rows of CSV              records.rs
-//!   -> derived quantities            thresholds, exponents    derived.rs
-//!   -> verdicts                      one claim a file         verdicts/
-//!   -> tables, figures, report       Markdown, CSV, SVG       render/
-//! ```
-//!
-//! Beside these: the number formats by name (`formats`), the rules of search (`variants`), the paper's own check (`check`),
-//! a kernel for several threads (`watch`). Nothing is counted or timed that is not certified. A verdict sees records only,
-//! never a clock or an algorithm.
+//! Its data: what is asked for and what that needs. The flow is that of every paper ([`super::paper`]). Beside these:
+//! the number formats by name (`formats`), laws of growth (`laws`), the rules of search (`variants`), the paper's own check (`check`), a kernel
+//! for several threads (`watch`).
 
 mod check;
 mod definition;
 mod derived;
-mod experiments;
 mod formats;
-mod published;
+mod laws;
 mod records;
 mod render;
 mod sets;
-mod topics;
+mod studies;
 mod variants;
 mod verdicts;
 mod watch;
 
-use super::paper::{Judged, Paper, Request};
-use super::provenance::Provenance;
-use super::render::folder::Folder;
-use super::verdict::Verdict;
+use super::paper::{Claim, Paper, Study, Topic};
 use anyhow::Result;
-use definition::{Definition, PAPER};
-use published::Published;
-use records::Records;
-use std::time::Instant;
-use topics::{Experiment, Topic};
+use definition::Studies;
+use records::{Records, Studied};
 
-/// The paper, for the list of papers.
-pub(super) const DAY: Paper = Paper {
-    slug: PAPER,
-    title: "Day (1990)",
-    ids,
-    run,
-};
+/// The paper's folder.
+const SLUG: &str = "day-1990";
 
-fn ids() -> Result<Vec<String>> {
-    Ok(topics::names(&Published::load()?))
-}
+/// The paper.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Day;
 
-/// Runs the experiments that the asked-for tables, figures and claims need, and writes the report.
-fn run(request: &Request<'_>) -> Result<Judged> {
-    let started = Instant::now();
-    let published = Published::load()?;
-    let topics = topics::parse(request.ids, &published)?;
-    let mut definition = Definition::load(request.quick)?;
-    definition.seed = request.seed.unwrap_or(definition.seed);
-    let mut provenance = Provenance::collect(request.command.to_owned(), Some(definition.seed));
-    let records = experiment(&definition, &topics)?;
-    provenance.finish(started.elapsed().as_secs());
-    let folder = Folder::open(request.folder.to_owned(), provenance)?;
-    let verdicts = report(&folder, &definition, &topics, &records, &published)?;
-    Ok(Judged {
-        verdicts,
-        uncertified: records.failures.len(),
-        claims: published.claims,
-    })
-}
+impl Paper for Day {
+    const SLUG: &'static str = SLUG;
+    const TITLE: &'static str = "Day (1990)";
+    const ABOUT: &'static str = "A. M. Day, *The Implementation of an Algorithm to Find the Convex Hull of a Set of \
+         Three-Dimensional Points*, ACM Transactions on Graphics 9(1), 1990: Preparata and Hong's divide and conquer made \
+         to run. The paper prints no table; its claims are judged here, and what it reports in words is measured.";
 
-/// Runs what `topics` need, each experiment once.
-fn experiment(definition: &Definition, topics: &[Topic]) -> Result<Records> {
-    type Run = fn(&Definition, &mut Records) -> Result<()>;
-    let all: [(Experiment, Run); 10] = [
-        (Experiment::Precision, experiments::precision::run),
-        (Experiment::Speed, experiments::speed::run),
-        (Experiment::Merges, experiments::merges::run),
-        (Experiment::Bases, experiments::bases::run),
-        (Experiment::Counts, experiments::counts::run),
-        (Experiment::Battery, experiments::battery::run),
-        (Experiment::Listing, experiments::listing::run),
-        (Experiment::Checks, experiments::checks::run),
-        (Experiment::Parallel, experiments::side_by_side::run),
-        (Experiment::Times, experiments::times::run),
+    type Studies = Studies;
+    type Rows = Studied;
+    type Figures = ();
+
+    const TOPICS: &'static [Topic<Self>] = TOPICS;
+    const CLAIMS: &'static [Claim<Self>] = verdicts::CLAIMS;
+    const STUDIES: &'static [Study<Self>] = &[
+        Study::new("precision", studies::precision::run),
+        Study::new("speed", studies::speed::run),
+        Study::new("merges", studies::merges::run),
+        Study::new("bases", studies::bases::run),
+        Study::new("turned", studies::turned::run),
+        Study::new("battery", studies::battery::run),
+        Study::new("listing", studies::listing::run),
+        Study::new("checks", studies::checks::run),
+        Study::new("parallel", studies::side_by_side::run),
     ];
-    let mut records = Records::default();
-    for (experiment, run) in all {
-        let needs = |topic: &Topic| topics::experiments(topic).contains(&experiment);
-        if topics.iter().any(needs) {
-            run(definition, &mut records)?;
-        }
+
+    fn seed(studies: &mut Studies) -> &mut u64 {
+        &mut studies.seed
     }
-    Ok(records)
+
+    fn analysis(studies: &Studies) -> &str {
+        &studies.analysis
+    }
+
+    fn figures() -> Result<()> {
+        Ok(())
+    }
+
+    fn measure(id: &str, records: &Records) -> Option<f64> {
+        verdicts::predictions::measure(id, records)
+    }
+
+    fn certificates(records: &Records) -> Option<String> {
+        let rounded: usize = records.own.controls.iter().map(|row| row.right).sum();
+        Some(format!(
+            "{rounded} hulls of rounded sets were certified for the study of precision"
+        ))
+    }
 }
 
-/// Writes everything that `topics` ask for, and the records. Returns the verdicts.
-fn report(
-    folder: &Folder,
-    definition: &Definition,
-    topics: &[Topic],
-    records: &Records,
-    published: &Published,
-) -> Result<Vec<Verdict>> {
-    let mut verdicts = Vec::new();
-    for topic in topics {
-        match topic {
-            Topic::Precision => render::precision::write(folder, records)?,
-            Topic::Merge => render::merges::write_merge(folder, records)?,
-            Topic::Edges => render::merges::write_edges(folder, records)?,
-            Topic::Whole => render::whole::write(folder, records)?,
-            Topic::Degenerate => render::others::write_degenerate(folder, records)?,
-            Topic::Bases => render::others::write_bases(folder, records)?,
-            Topic::Listing => render::others::write_spiral(folder, records)?,
-            Topic::Checks => render::others::write_checks(folder, records)?,
-            Topic::Parallel => render::others::write_side_by_side(folder, records)?,
-            Topic::Claim(id) => verdicts.extend(verdicts::judge(id, records)),
-        }
+const TOPICS: &[Topic<Day>] = &[
+    Topic {
+        name: "precision",
+        needs: &["precision", "speed"],
+        write: |folder, found| render::precision::write(folder, &found.records),
+        line: "[Precision and eps2](precision.md): [figure](precision.svg), data: [ends](outcomes.csv), \
+               [thresholds](thresholds.csv), [times](formats.csv)",
+    },
+    Topic {
+        name: "merge",
+        needs: &["merges"],
+        write: |folder, found| render::merges::write_merge(folder, &found.records),
+        line: "[The merge: questions at the top](merge.md): [figure](merge.svg), data: [growth](merge-growth.csv), \
+               [by size](merge-sizes.csv)",
+    },
+    Topic {
+        name: "edges",
+        needs: &["merges"],
+        write: |folder, found| render::merges::write_edges(folder, &found.records),
+        line: "[Edge records made, and in use](edges.md): [figure](edges.svg), [data](edge-records.csv)",
+    },
+    Topic {
+        name: "whole",
+        needs: &["day-counts", "turned", "day-times"],
+        write: |folder, found| render::whole::write(folder, &found.records),
+        line: "[The whole call: questions, laws, times](whole.md): [figure](whole.svg), data: [questions](whole.csv), \
+               [laws](laws.csv), [times](whole-times.csv)",
+    },
+    Topic {
+        name: "degenerate",
+        needs: &["battery"],
+        write: |folder, found| render::others::write_degenerate(folder, &found.records),
+        line: "[Degenerate sets](degenerate.md), [data](degenerate.csv)",
+    },
+    Topic {
+        name: "bases",
+        needs: &["bases"],
+        write: |folder, found| render::others::write_bases(folder, &found.records),
+        line: "[Where the recursion stops, and dummy points](bases.md), [data](bases.csv)",
+    },
+    Topic {
+        name: "spiral",
+        needs: &["listing"],
+        write: |folder, found| render::others::write_spiral(folder, &found.records),
+        line: "[Listing the faces by a spiral](spiral.md), [data](spiral.csv)",
+    },
+    Topic {
+        name: "checks",
+        needs: &["checks"],
+        write: |folder, found| render::others::write_checks(folder, &found.records),
+        line: "[The paper's own check](checks.md), [data](checks.csv)",
+    },
+    Topic {
+        name: "side-by-side",
+        needs: &["parallel", "day-times"],
+        write: |folder, found| render::others::write_side_by_side(folder, &found.records),
+        line: "[Side by side](side-by-side.md), [data](side-by-side.csv)",
+    },
+];
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn claims_predictions_and_needs_fit_the_files() {
+        crate::reproduce::paper::checks::all::<super::Day>();
     }
-    let predictions = verdicts::predictions::check(records, published);
-    if !verdicts.is_empty() {
-        render::index::write_claims(folder, &verdicts, &predictions, published)?;
-    }
-    for (name, text, rows) in records.files()? {
-        if rows > 0 {
-            folder.csv(&format!("records-{name}"), &text)?;
-        }
-    }
-    render::index::write(
-        folder,
-        &definition.analysis,
-        topics,
-        records,
-        &verdicts,
-        &predictions,
-        published,
-    )?;
-    Ok(verdicts)
 }

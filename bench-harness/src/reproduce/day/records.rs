@@ -1,16 +1,16 @@
-//! What the experiments leave behind: plain rows, one CSV file a kind. Tables, figures and verdicts are
-//! computed from these alone.
+//! What the studies of this paper leave behind, beside the rows of every paper.
 
 use super::definition::Arithmetic;
-use crate::reproduce::space::rows::{CountRow, FailureRow, SetRow, TimeRow, text};
+use crate::reproduce::rows::{Files, Tables};
+use anyhow::Result;
 use serde::Serialize;
 
-/// Everything recorded in one run.
+/// Everything recorded of this paper.
+pub(crate) type Records = crate::reproduce::rows::Records<Studied>;
+
+/// The rows of the studies.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Records {
-    /// Every set that was counted, timed or tried in the battery. Sets of the precision study are in its rows, by
-    /// digest.
-    pub(crate) sets: Vec<SetRow>,
+pub(crate) struct Studied {
     /// Day's cotangents, by format and eps2.
     pub(crate) precision: Vec<PrecisionRow>,
     /// The same points with exact orientations.
@@ -19,10 +19,6 @@ pub(crate) struct Records {
     pub(crate) speed: Vec<SpeedRow>,
     /// Merges.
     pub(crate) merges: Vec<MergeRow>,
-    /// Questions of the whole call.
-    pub(crate) counts: Vec<CountRow>,
-    /// Time samples of the whole call.
-    pub(crate) times: Vec<TimeRow>,
     /// The battery of degenerate sets.
     pub(crate) battery: Vec<BatteryRow>,
     /// Sizes at which the recursion could stop.
@@ -35,8 +31,21 @@ pub(crate) struct Records {
     pub(crate) checks: Vec<CheckRow>,
     /// The halves conquered side by side.
     pub(crate) parallel: Vec<ParallelRow>,
-    /// Results without a certificate.
-    pub(crate) failures: Vec<FailureRow>,
+}
+
+impl Tables for Studied {
+    fn write(&self, files: &mut Files) -> Result<()> {
+        files.add("precision", &self.precision)?;
+        files.add("controls", &self.controls)?;
+        files.add("speed", &self.speed)?;
+        files.add("merges", &self.merges)?;
+        files.add("battery", &self.battery)?;
+        files.add("bases", &self.bases)?;
+        files.add("dummies", &self.dummies)?;
+        files.add("listings", &self.listings)?;
+        files.add("checks", &self.checks)?;
+        files.add("parallel", &self.parallel)
+    }
 }
 
 /// How the sets of a cell end in one format at one eps2.
@@ -218,28 +227,4 @@ pub(crate) struct ParallelRow {
     /// Questions of every kind.
     pub(crate) sequential: u64,
     pub(crate) parallel: u64,
-}
-
-impl Records {
-    /// Every file of records: its name, its text without the head, and how many rows it has.
-    pub(crate) fn files(&self) -> Result<Vec<(&'static str, String, usize)>, csv::Error> {
-        let files = [
-            ("sets.csv", text(&self.sets)?),
-            ("precision.csv", text(&self.precision)?),
-            ("controls.csv", text(&self.controls)?),
-            ("speed.csv", text(&self.speed)?),
-            ("merges.csv", text(&self.merges)?),
-            ("counts.csv", text(&self.counts)?),
-            ("times.csv", text(&self.times)?),
-            ("battery.csv", text(&self.battery)?),
-            ("bases.csv", text(&self.bases)?),
-            ("dummies.csv", text(&self.dummies)?),
-            ("listings.csv", text(&self.listings)?),
-            ("checks.csv", text(&self.checks)?),
-            ("parallel.csv", text(&self.parallel)?),
-            ("failures.csv", text(&self.failures)?),
-        ];
-        let file = |(name, (text, rows))| (name, text, rows);
-        Ok(files.into_iter().map(file).collect())
-    }
 }

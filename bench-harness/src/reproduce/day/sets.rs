@@ -1,6 +1,6 @@
 //! The point sets of the experiments: those of the catalogue, some of them changed.
 
-use crate::reproduce::space::sets::PointSet3;
+use crate::reproduce::sets::PointSet3;
 use anyhow::Result;
 
 /// Before the name of a set laid along x: the set turned about x by a step and a half of FAN's ring, so that the wrap

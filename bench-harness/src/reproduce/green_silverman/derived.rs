@@ -1,10 +1,12 @@
 //! What tables, figures and verdicts compute from the records, cell by cell.
 
-use super::experiments::times::TWIN;
-use super::records::{CountRow, Records};
-use crate::stats::bootstrap::{Bootstrapped, clustered_median};
+use super::records::Records;
+use crate::reproduce::rows::CountRow;
 use crate::stats::summary::{mean, median, standard_error};
 use std::collections::BTreeMap;
+
+/// The second entry of GS, which shows the noise of a program against itself.
+pub(crate) const TWIN: &str = "gs@twin";
 
 /// A distribution and a size.
 pub(crate) type Cell<'a> = (&'a str, usize);
@@ -135,41 +137,6 @@ pub(crate) fn count_ratio(
     })
 }
 
-/// The median nanoseconds a call of `method` in `cell`.
-pub(crate) fn median_time(records: &Records, cell: Cell<'_>, method: &str) -> Option<f64> {
-    let rows = records.times.iter();
-    let values: Vec<f64> = rows
-        .filter(|row| (row.distribution.as_str(), row.n) == cell && row.method == method)
-        .map(|row| row.per_call())
-        .collect();
-    (!values.is_empty()).then(|| median(&values))
-}
-
-/// The logarithm of the time of `method` over that of `base` in `cell`: median of the rounds' log ratios,
-/// bootstrapped over realisations.
-pub(crate) fn time_ratio(
-    records: &Records,
-    cell: Cell<'_>,
-    method: &str,
-    base: &str,
-) -> Option<Bootstrapped> {
-    let of = |method: &str| -> BTreeMap<(u64, u32), f64> {
-        let rows = records.times.iter();
-        rows.filter(|row| (row.distribution.as_str(), row.n) == cell && row.method == method)
-            .map(|row| ((row.realisation, row.round), row.per_call()))
-            .collect()
-    };
-    let (above, below) = (of(method), of(base));
-    let mut clusters: BTreeMap<u64, Vec<f64>> = BTreeMap::new();
-    for (key, time) in &above {
-        if let Some(base) = below.get(key) {
-            clusters.entry(key.0).or_default().push((time / base).ln());
-        }
-    }
-    let clusters: Vec<Vec<f64>> = clusters.into_values().collect();
-    clustered_median(&clusters, cell.1 as u64)
-}
-
 /// For each realisation of each timed cell of `distribution`, n and the median time of `method`.
 pub(crate) fn times_against_n(
     records: &Records,
@@ -218,31 +185,4 @@ pub(crate) fn range(data: &[(f64, f64)]) -> String {
     let least = data.iter().map(|(n, _)| *n).fold(f64::INFINITY, f64::min);
     let most = data.iter().map(|(n, _)| *n).fold(0.0, f64::max);
     format!("n from {least} to {most}")
-}
-
-/// The cells that were timed, in the order of the records.
-pub(crate) fn timed_cells(records: &Records) -> Vec<(String, usize)> {
-    let mut cells: Vec<(String, usize)> = Vec::new();
-    for row in &records.times {
-        if cells
-            .last()
-            .is_none_or(|(distribution, n)| *distribution != row.distribution || *n != row.n)
-        {
-            cells.push((row.distribution.clone(), row.n));
-        }
-    }
-    cells
-}
-
-/// The methods timed in `cell`, the second entry of GS left out.
-pub(crate) fn timed_methods(records: &Records, cell: Cell<'_>) -> Vec<String> {
-    let rows = records
-        .times
-        .iter()
-        .filter(|row| (row.distribution.as_str(), row.n) == cell);
-    let mut methods: Vec<String> = rows.map(|row| row.method.clone()).collect();
-    methods.sort();
-    methods.dedup();
-    methods.retain(|method| method != TWIN);
-    methods
 }

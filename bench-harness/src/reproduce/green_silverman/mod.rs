@@ -1,180 +1,132 @@
-//! Green and Silverman 1979.
+//! Green and Silverman 1979: finding the hull of points in the plane, and its layers.
 //!
-//! A pipeline of plain values, each stage computed from the one before:
-//!
-//! ```text
-//! definition, published figures      data/…                   definition.rs, published.rs
-//!   -> point sets                    seed and fingerprint     sets.rs
-//!   -> certified, counted, timed     one experiment a file    experiments/
-//!   -> records                       rows of CSV              records.rs
-//!   -> derived quantities            means, ratios            derived.rs
-//!   -> verdicts                      one claim a file         verdicts/
-//!   -> tables, figures, report       Markdown, CSV, SVG       render/
-//! ```
-//!
-//! Counting and timing are runs of their own, and nothing is counted or timed that is not certified. A verdict
-//! sees records and published figures only, never a clock or an algorithm.
+//! Its data: what is asked for and what that needs. The flow is that of every paper ([`super::paper`]).
 
 mod definition;
 mod derived;
-mod experiments;
 mod published;
 mod records;
 mod render;
-mod sets;
-mod topics;
+mod studies;
 mod verdicts;
 
-use super::paper::{Judged, Paper, Request};
-use super::prediction::Checked;
-use super::provenance::Provenance;
+use super::paper::{Claim, Findings, Paper, Study, Topic};
 use super::render::folder::Folder;
-use super::verdict::Verdict;
 use anyhow::Result;
-use definition::{Definition, PAPER};
+use definition::Studies;
 use published::Published;
-use records::Records;
+use records::{Records, Studied};
 use render::peels::Figure;
-use std::time::Instant;
-use topics::{Experiment, Topic};
 
-/// The paper, for the list of papers.
-pub(super) const GREEN_SILVERMAN: Paper = Paper {
-    slug: PAPER,
-    title: "Green & Silverman (1979)",
-    ids,
-    run,
-};
+/// The paper's folder.
+const SLUG: &str = "green-silverman-1979";
 
-fn ids() -> Result<Vec<String>> {
-    Ok(topics::names(&Published::load()?))
+/// The paper.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct GreenSilverman;
+
+impl Paper for GreenSilverman {
+    const SLUG: &'static str = SLUG;
+    const TITLE: &'static str = "Green & Silverman (1979)";
+    const ABOUT: &'static str = "P. J. Green and B. W. Silverman, *Constructing the convex hull of a set of points in the \
+         plane*, The Computer Journal 22(3), 262–266, 1979: its tables and figures regenerated, its claims judged.";
+
+    type Studies = Studies;
+    type Rows = Studied;
+    type Figures = Published;
+
+    const TOPICS: &'static [Topic<Self>] = TOPICS;
+    const CLAIMS: &'static [Claim<Self>] = verdicts::CLAIMS;
+    const STUDIES: &'static [Study<Self>] = &[
+        Study::new("peels", studies::peels::run),
+        Study::new("lattices", studies::peels::lattices),
+        Study::new("tolerance", studies::tolerance::run),
+    ];
+
+    fn seed(studies: &mut Studies) -> &mut u64 {
+        &mut studies.seed
+    }
+
+    fn analysis(studies: &Studies) -> &str {
+        &studies.analysis
+    }
+
+    fn figures() -> Result<Published> {
+        Published::load()
+    }
+
+    fn measure(id: &str, records: &Records) -> Option<f64> {
+        verdicts::predictions::measure(id, records)
+    }
 }
 
-/// Runs the experiments that the asked-for tables, figures and claims need, and writes the report.
-fn run(request: &Request<'_>) -> Result<Judged> {
-    let started = Instant::now();
-    let published = Published::load()?;
-    let topics = topics::parse(request.ids, &published)?;
-    let mut definition = Definition::load(request.quick)?;
-    definition.seed = request.seed.unwrap_or(definition.seed);
-    let mut provenance = Provenance::collect(request.command.to_owned(), Some(definition.seed));
-    let records = experiment(&definition, &topics)?;
-    provenance.finish(started.elapsed().as_secs());
-    let folder = Folder::open(request.folder.to_owned(), provenance)?;
-    let verdicts = report(&folder, &definition, &topics, &records, &published)?;
-    Ok(Judged {
-        verdicts,
-        uncertified: records.failures.len(),
-        claims: published.claims,
-    })
-}
+const TOPICS: &[Topic<GreenSilverman>] = &[
+    Topic {
+        name: "table1",
+        needs: &["tolerance", "lattices"],
+        write: |folder, found| render::table1::write(folder, &found.records, &found.figures),
+        line: "[Table 1: the tolerance](table1.md), [figures](table1.csv)",
+    },
+    Topic {
+        name: "table2",
+        needs: &["gs-sizes", "gs-counts", "gs-times"],
+        write: |folder, found| render::table2::write(folder, &found.records, &found.figures),
+        line: "[Table 2: seven methods](table2.md), [figures](table2.csv), [vertices](vertices.csv)",
+    },
+    Topic {
+        name: "figure1",
+        needs: &[],
+        write: figure1,
+        line: "Figure 1: [peels of 100 random points](figure1.svg), [points](figure1.csv)",
+    },
+    Topic {
+        name: "figure2",
+        needs: &[],
+        write: figure2,
+        line: "Figure 2: [peels of an oblique lattice](figure2.svg), [points](figure2.csv)",
+    },
+    Topic {
+        name: "figure7",
+        needs: &["gs-counts", "gs-times"],
+        write: |folder, found| render::growth::write(folder, &found.records),
+        line: "[Figure 7: growth of GS and E](figure7.md), [figures](figure7.csv)",
+    },
+    Topic {
+        name: "storage",
+        needs: &["peels"],
+        write: |folder, found| render::peeling::write_storage(folder, &found.records),
+        line: "[Storage: the stack of method GS](storage.md), [figures](storage.csv)",
+    },
+    Topic {
+        name: "peeling",
+        needs: &["peels"],
+        write: |folder, found| render::peeling::write_peeling(folder, &found.records),
+        line: "[Peeling: what all layers cost](peeling.md), [figures](peeling.csv)",
+    },
+];
 
-/// Runs what `topics` need, each experiment once.
-fn experiment(definition: &Definition, topics: &[Topic]) -> Result<Records> {
-    let needed = |experiment| {
-        topics
-            .iter()
-            .any(|topic| topics::experiments(topic).contains(&experiment))
+fn figure1(folder: &Folder, found: &Findings<GreenSilverman>) -> Result<()> {
+    let figure = Figure {
+        name: "figure1",
+        title: "100 random points of the unit square",
+        data: &found.studies.tolerance.random,
     };
-    let mut records = Records::default();
-    if needed(Experiment::Sizes) {
-        experiments::sizes::run(definition, &mut records)?;
-    }
-    if needed(Experiment::Counts) {
-        experiments::counts::run(definition, &mut records)?;
-    }
-    if needed(Experiment::Times) {
-        experiments::times::run(definition, &mut records)?;
-    }
-    if needed(Experiment::Peels) {
-        experiments::peels::run(definition, &mut records)?;
-    }
-    if needed(Experiment::Lattices) {
-        experiments::peels::lattices(definition, &mut records)?;
-    }
-    if needed(Experiment::Tolerance) {
-        experiments::tolerance::run(definition, &mut records)?;
-    }
-    Ok(records)
+    render::peels::write(folder, found.studies.seed, figure)
 }
 
-/// Writes everything that `topics` ask for, and the records. Returns the verdicts.
-fn report(
-    folder: &Folder,
-    definition: &Definition,
-    topics: &[Topic],
-    records: &Records,
-    published: &Published,
-) -> Result<Vec<Verdict>> {
-    for topic in topics {
-        match topic {
-            Topic::Table1 => render::table1::write(folder, records, published)?,
-            Topic::Table2 => render::table2::write(folder, records, published)?,
-            Topic::Figure1 => {
-                let data = &definition.tolerance.random;
-                let title = "100 random points of the unit square";
-                render::peels::write(
-                    folder,
-                    definition.seed,
-                    Figure {
-                        name: "figure1",
-                        title,
-                        data,
-                    },
-                )?;
-            }
-            Topic::Figure2 => {
-                let data = &definition.tolerance.exact_lattice;
-                let title = "An oblique lattice of 100 points";
-                render::peels::write(
-                    folder,
-                    definition.seed,
-                    Figure {
-                        name: "figure2",
-                        title,
-                        data,
-                    },
-                )?;
-            }
-            Topic::Figure7 => render::growth::write(folder, records)?,
-            Topic::Storage => render::peeling::write_storage(folder, records)?,
-            Topic::Peeling => render::peeling::write_peeling(folder, records)?,
-            Topic::Claim(_) => {}
-        }
-    }
-    let (verdicts, predictions) = judge(topics, records, published);
-    if !verdicts.is_empty() {
-        render::claims::write(folder, &verdicts, &predictions, published)?;
-    }
-    for (name, text, rows) in records.files()? {
-        if rows > 0 {
-            folder.csv(&format!("records-{name}"), &text)?;
-        }
-    }
-    render::index::write(
-        folder,
-        definition,
-        topics,
-        records,
-        &verdicts,
-        &predictions,
-        published,
-    )?;
-    Ok(verdicts)
+fn figure2(folder: &Folder, found: &Findings<GreenSilverman>) -> Result<()> {
+    let figure = Figure {
+        name: "figure2",
+        title: "An oblique lattice of 100 points",
+        data: &found.studies.tolerance.exact_lattice,
+    };
+    render::peels::write(folder, found.studies.seed, figure)
 }
 
-/// The verdicts on the claims among `topics`, and the predictions if there are any.
-fn judge<'a>(
-    topics: &[Topic],
-    records: &Records,
-    published: &'a Published,
-) -> (Vec<Verdict>, Vec<Checked<'a>>) {
-    let verdicts = topics
-        .iter()
-        .filter_map(|topic| match topic {
-            Topic::Claim(id) => verdicts::judge(id, records, published),
-            _ => None,
-        })
-        .collect();
-    (verdicts, verdicts::predictions::check(records, published))
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn claims_predictions_and_needs_fit_the_files() {
+        crate::reproduce::paper::checks::all::<super::GreenSilverman>();
+    }
 }

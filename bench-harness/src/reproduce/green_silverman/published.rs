@@ -1,13 +1,12 @@
-//! The paper's figures and claims, read from `data/published/`, and our predictions.
+//! The figures of the paper, read from `data/published/`.
 
-use super::definition::PAPER;
-use crate::reproduce::data::{Claim, claims, in_checkout_or, rows};
-use crate::reproduce::prediction::{Prediction, predictions};
-use anyhow::{Context, Result};
+use super::SLUG;
+use crate::reproduce::data::rows;
+use anyhow::Result;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
-/// The paper as data.
+/// The figures that the paper prints.
 #[derive(Clone, Debug)]
 pub(crate) struct Published {
     /// The rows of Table 1.
@@ -15,10 +14,6 @@ pub(crate) struct Published {
     /// Table 2: (distribution, n, quantity) to value, where a quantity is a method's slug (milliseconds a
     /// call) or one of "average vertices", "realisations", "repetitions".
     table2: BTreeMap<(String, usize, String), f64>,
-    /// The claims.
-    pub(crate) claims: Vec<Claim>,
-    /// What we predicted.
-    pub(crate) predictions: Vec<Prediction>,
 }
 
 /// A row of Table 1.
@@ -46,38 +41,14 @@ struct Table2Row {
     value: f64,
 }
 
-/// The text of a published file: the checkout's, or the copy built into the program.
-macro_rules! text {
-    ($folder:literal, $name:literal) => {
-        in_checkout_or(
-            &format!("data/{}/{PAPER}/{}", $folder, $name),
-            include_str!(concat!(
-                "../../../../data/",
-                $folder,
-                "/green-silverman-1979/",
-                $name
-            )),
-        )
-    };
-}
-
 impl Published {
-    /// Reads the paper's files.
+    /// Reads the tables.
     pub(crate) fn load() -> Result<Self> {
-        let table1 = rows(&text!("published", "table1.csv")?).context("in table1.csv")?;
-        let cells: Vec<Table2Row> =
-            rows(&text!("published", "table2.csv")?).context("in table2.csv")?;
-        let table2 = cells
-            .into_iter()
-            .map(|row| ((row.distribution, row.n, row.quantity), row.value))
-            .collect();
-        let claims = claims(&text!("published", "claims.toml")?)?;
-        let predictions = predictions(&text!("definitions", "predictions.toml")?)?;
+        let cells: Vec<Table2Row> = rows(SLUG, "table2.csv")?;
+        let figure = |row: Table2Row| ((row.distribution, row.n, row.quantity), row.value);
         Ok(Self {
-            table1,
-            table2,
-            claims,
-            predictions,
+            table1: rows(SLUG, "table1.csv")?,
+            table2: cells.into_iter().map(figure).collect(),
         })
     }
 
@@ -147,7 +118,6 @@ mod tests {
             }
         }
         assert_eq!(published.table1.len(), 4);
-        assert_eq!(published.claims.len(), 9);
     }
 
     #[test]

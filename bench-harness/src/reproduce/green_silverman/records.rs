@@ -1,107 +1,28 @@
-//! What the experiments leave behind: plain rows, one CSV file a kind. Tables, figures and verdicts are
-//! computed from these alone.
+//! What the studies of this paper leave behind, beside the rows of every paper.
 
+use crate::reproduce::rows::{Files, Tables};
+use anyhow::Result;
 use serde::Serialize;
 
-/// Everything recorded in one run.
+/// Everything recorded of this paper.
+pub(crate) type Records = crate::reproduce::rows::Records<Studied>;
+
+/// The rows of the studies.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Records {
-    /// Every set that was counted, timed or peeled.
-    pub(crate) sets: Vec<SetRow>,
-    /// Numbers of vertices, as histograms.
-    pub(crate) sizes: Vec<SizeRow>,
-    /// Questions asked.
-    pub(crate) counts: Vec<CountRow>,
-    /// Time samples.
-    pub(crate) times: Vec<TimeRow>,
+pub(crate) struct Studied {
     /// Complete peelings.
     pub(crate) peels: Vec<PeelRow>,
     /// Peelings and hulls with a tolerance.
     pub(crate) tolerance: Vec<ToleranceRow>,
     /// Peelings of the exact lattices under both conventions.
     pub(crate) rings: Vec<RingRow>,
-    /// Results without a certificate.
-    pub(crate) failures: Vec<FailureRow>,
 }
 
-/// A point set that was used.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct SetRow {
-    /// "counts", "times" or "peels".
-    pub(crate) stage: String,
-    pub(crate) distribution: String,
-    pub(crate) n: usize,
-    pub(crate) replicate: u64,
-    pub(crate) seed: u64,
-    pub(crate) fingerprint: String,
-    /// Vertices of the certified hull, all boundary points counted.
-    pub(crate) vertices: usize,
-    /// Methods whose result equals the certified hull.
-    pub(crate) certified: usize,
-    /// Methods tried.
-    pub(crate) methods: usize,
-}
-
-/// How many replicates of a cell have a hull of so many vertices.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct SizeRow {
-    pub(crate) distribution: String,
-    pub(crate) n: usize,
-    pub(crate) vertices: usize,
-    pub(crate) replicates: u64,
-    /// SHA-256, shortened, over the fingerprints of all replicates of the cell in order.
-    pub(crate) digest: String,
-}
-
-/// What one method asked for on one set. Exact integers, equal on every machine.
-#[derive(Clone, Debug, Default, Serialize)]
-pub(crate) struct CountRow {
-    pub(crate) distribution: String,
-    pub(crate) n: usize,
-    pub(crate) replicate: u64,
-    pub(crate) method: String,
-    /// Orientations of three points: the paper's area evaluations.
-    pub(crate) orientations: u64,
-    /// Comparisons of two distances from a line (areas already evaluated, in the paper).
-    pub(crate) distances: u64,
-    /// Comparisons along a line.
-    pub(crate) along: u64,
-    /// Lexicographic comparisons.
-    pub(crate) lexicographic: u64,
-    /// Comparisons of two angles.
-    pub(crate) angles: u64,
-    /// Orientations and distances that the filter could not settle.
-    pub(crate) beyond_filter: u64,
-    /// Points looked at.
-    pub(crate) visits: u64,
-    /// Most records of working storage.
-    pub(crate) storage: u64,
-}
-
-impl CountRow {
-    /// All questions of every kind.
-    pub(crate) fn questions(&self) -> u64 {
-        self.orientations + self.distances + self.along + self.lexicographic + self.angles
-    }
-}
-
-/// One time sample: `calls` calls in a row on the sets of one batch.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct TimeRow {
-    pub(crate) distribution: String,
-    pub(crate) n: usize,
-    /// Number of the batch of sets.
-    pub(crate) realisation: u64,
-    pub(crate) round: u32,
-    pub(crate) method: String,
-    pub(crate) calls: u64,
-    pub(crate) nanoseconds: u64,
-}
-
-impl TimeRow {
-    /// Nanoseconds of one call.
-    pub(crate) fn per_call(&self) -> f64 {
-        self.nanoseconds as f64 / self.calls as f64
+impl Tables for Studied {
+    fn write(&self, files: &mut Files) -> Result<()> {
+        files.add("peels", &self.peels)?;
+        files.add("tolerance", &self.tolerance)?;
+        files.add("rings", &self.rings)
     }
 }
 
@@ -149,53 +70,4 @@ pub(crate) struct RingRow {
     /// Points on the rings from the outside in, separated by spaces.
     pub(crate) rings: String,
     pub(crate) certified: bool,
-}
-
-/// A result that was not certified, and therefore neither counted nor timed.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct FailureRow {
-    pub(crate) stage: String,
-    pub(crate) distribution: String,
-    pub(crate) n: usize,
-    pub(crate) replicate: u64,
-    pub(crate) method: String,
-    pub(crate) what: String,
-}
-
-impl Records {
-    /// Whether `method` failed to be certified on any set of the cell.
-    pub(crate) fn failed(&self, distribution: &str, n: usize, method: &str) -> bool {
-        self.failures
-            .iter()
-            .any(|row| row.distribution == distribution && row.n == n && row.method == method)
-    }
-
-    /// Every file of records: its name, its text without the head, and how many rows it has.
-    pub(crate) fn files(&self) -> Result<Vec<(&'static str, String, usize)>, csv::Error> {
-        Ok(vec![
-            ("sets.csv", text(&self.sets)?, self.sets.len()),
-            ("sizes.csv", text(&self.sizes)?, self.sizes.len()),
-            ("counts.csv", text(&self.counts)?, self.counts.len()),
-            ("times.csv", text(&self.times)?, self.times.len()),
-            ("peels.csv", text(&self.peels)?, self.peels.len()),
-            (
-                "tolerance.csv",
-                text(&self.tolerance)?,
-                self.tolerance.len(),
-            ),
-            ("rings.csv", text(&self.rings)?, self.rings.len()),
-            ("failures.csv", text(&self.failures)?, self.failures.len()),
-        ])
-    }
-}
-
-fn text<T: Serialize>(rows: &[T]) -> Result<String, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in rows {
-        writer.serialize(row)?;
-    }
-    let bytes = writer
-        .into_inner()
-        .map_err(|error| csv::Error::from(error.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }

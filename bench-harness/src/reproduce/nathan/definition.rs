@@ -1,18 +1,11 @@
-//! The definition of the experiments, read from `data/definitions/`.
+//! What the studies of this paper run on, read from its `studies.toml`.
 
-use crate::reproduce::data::in_checkout_or;
-use anyhow::{Context, Result, ensure};
 use serde::Deserialize;
-
-/// Where the paper's files lie below `data/definitions` and `data/published`.
-pub(crate) const PAPER: &str = "nathan-2015";
 
 /// What is run: which sets, how often.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Definition {
-    /// The paper's short name.
-    pub(crate) paper: String,
+pub(crate) struct Studies {
     /// The seed from which every set's seed is derived.
     pub(crate) seed: u64,
     /// What a reader should know of this choice.
@@ -24,17 +17,13 @@ pub(crate) struct Definition {
     /// What the paper's epsilon does (N-5).
     pub(crate) epsilon: Shifted,
     /// The candidate's own corners, tested or skipped (N-6).
-    pub(crate) corners: Vec<Times>,
-    /// Registered methods beside each other.
-    pub(crate) times: Vec<Times>,
+    pub(crate) corners: Vec<Corners>,
     /// Lifts, rounded and not (N-7).
     pub(crate) lifting: Vec<Shifted>,
     /// Cells of square grids, lifted (N-7).
     pub(crate) grids: Grids,
     /// The triangulation of Figure 1.
     pub(crate) figure1: Cell,
-    /// Average numbers of vertices.
-    pub(crate) sizes: Vec<Sizes>,
     /// The moving box (N-8).
     pub(crate) sweep: Sweep,
 }
@@ -107,10 +96,10 @@ pub(crate) struct Shifted {
 /// A block of cells that are timed. A cell is in one block only.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Times {
+pub(crate) struct Corners {
     pub(crate) distributions: Vec<String>,
     pub(crate) n: Vec<usize>,
-    /// Methods by slug; of the own corners, "printed" and "exact".
+    /// "printed" and "exact".
     pub(crate) contestants: Vec<String>,
     /// Batches of sets.
     pub(crate) realisations: u64,
@@ -137,15 +126,6 @@ pub(crate) struct Cell {
     pub(crate) n: usize,
 }
 
-/// A block of cells whose hulls are only measured for their number of vertices.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Sizes {
-    pub(crate) distributions: Vec<String>,
-    pub(crate) n: usize,
-    pub(crate) replicates: u64,
-}
-
 /// A box with one corner at the origin that moves.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -162,65 +142,30 @@ pub(crate) struct Sweep {
     pub(crate) obstacles: usize,
 }
 
-impl Definition {
-    /// The reference run or the quick one: the checkout's file if the program runs in one, else the copy
-    /// built into the program.
-    pub(crate) fn load(quick: bool) -> Result<Self> {
-        let (name, built_in) = if quick {
-            (
-                "quick.toml",
-                include_str!("../../../../data/definitions/nathan-2015/quick.toml"),
-            )
-        } else {
-            (
-                "full.toml",
-                include_str!("../../../../data/definitions/nathan-2015/full.toml"),
-            )
-        };
-        let text = in_checkout_or(&format!("data/definitions/{PAPER}/{name}"), built_in)?;
-        let definition: Self = toml::from_str(&text).with_context(|| format!("in {name}"))?;
-        ensure!(
-            definition.paper == PAPER,
-            "{name} is for the paper {:?}",
-            definition.paper
-        );
-        Ok(definition)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reproduce::data::{EXTENTS, studies};
+    use crate::reproduce::nathan::SLUG;
     use crate::reproduce::nathan::sets;
-    use crate::reproduce::space::spatial_method;
 
     #[test]
-    fn both_definitions_name_known_things_only() {
-        for quick in [false, true] {
-            let definition = Definition::load(quick).expect("valid");
-            for slug in definition.times.iter().flat_map(|block| &block.contestants) {
-                assert!(spatial_method(slug).is_ok(), "no method {slug:?}");
-            }
-            for kernel in definition.corners.iter().flat_map(|b| &b.contestants) {
+    fn both_extents_name_known_things_only() {
+        for extent in EXTENTS {
+            let studies: Studies = studies(SLUG, extent).expect("valid");
+            for kernel in studies.corners.iter().flat_map(|b| &b.contestants) {
                 assert!(["printed", "exact"].contains(&kernel.as_str()));
             }
-            let wraps = definition.wraps.iter().flat_map(|b| &b.distributions);
-            let sizes = definition.sizes.iter().flat_map(|b| &b.distributions);
-            let shifted = [&definition.starts, &definition.epsilon];
+            let wraps = studies.wraps.iter().flat_map(|b| &b.distributions);
+            let shifted = [&studies.starts, &studies.epsilon];
             let shifted = shifted.into_iter().flat_map(|b| &b.distributions);
-            for name in wraps.chain(sizes).chain(shifted) {
+            for name in wraps.chain(shifted) {
                 assert!(sets::generate(1, name, 27, 0).is_ok(), "no set {name:?}");
             }
-            let planar = definition.lifting.iter().flat_map(|b| &b.distributions);
-            for name in planar.chain([&definition.figure1.distribution]) {
+            let planar = studies.lifting.iter().flat_map(|b| &b.distributions);
+            for name in planar.chain([&studies.figure1.distribution]) {
                 assert!(sets::generate_planar(1, name, 9, 0, 0.0).is_ok());
             }
         }
-    }
-
-    #[test]
-    fn an_unknown_key_is_an_error() {
-        let text = include_str!("../../../../data/definitions/nathan-2015/quick.toml");
-        assert!(toml::from_str::<Definition>(&format!("sedd = 3\n{text}")).is_err());
     }
 }

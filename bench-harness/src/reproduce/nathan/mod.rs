@@ -1,140 +1,124 @@
-//! Nathan 2015.
+//! Nathan 2015. The paper prints a method, advice, and one picture, but no measurements. So what there is to reproduce
+//! are its claims, and each is put to a test that could come out otherwise.
 //!
-//! The same pipeline as for every paper:
-//!
-//! ```text
-//! definition, claims                 data/…                   definition.rs, published.rs
-//!   -> point sets                    seed and fingerprint     sets.rs
-//!   -> certified, counted, timed     one experiment a file    experiments/, surface.rs
-//!   -> records                       rows of CSV              records.rs
-//!   -> verdicts                      one claim a file         verdicts/
-//!   -> tables, figures, report       Markdown, CSV, SVG       render/
-//! ```
-//!
-//! The paper prints a method, advice, and one picture, but no measurements. So what there is to reproduce are its
-//! claims, and each is put to a test that could come out otherwise.
+//! Its data: what is asked for and what that needs. The flow is that of every paper ([`super::paper`]).
 
 mod definition;
-mod experiments;
-mod published;
 mod records;
 mod render;
 mod sets;
-mod topics;
+mod studies;
 mod verdicts;
 
-use super::paper::{Judged, Paper, Request};
-use super::prediction::Checked;
-use super::provenance::Provenance;
-use super::render::folder::Folder;
-use super::verdict::Verdict;
+use super::paper::{Claim, Paper, Study, Topic};
 use anyhow::Result;
-use definition::{Definition, PAPER};
-use published::Published;
-use records::Records;
-use std::time::Instant;
-use topics::{Experiment, Topic};
+use definition::Studies;
+use records::{Records, Studied};
 
-/// The paper, for the list of papers.
-pub(super) const NATHAN: Paper = Paper {
-    slug: PAPER,
-    title: "Nathan (2015)",
-    ids,
-    run,
-};
+/// The paper's folder.
+const SLUG: &str = "nathan-2015";
 
-fn ids() -> Result<Vec<String>> {
-    Ok(topics::names(&Published::load()?))
+/// The paper.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Nathan;
+
+impl Paper for Nathan {
+    const SLUG: &'static str = SLUG;
+    const TITLE: &'static str = "Nathan (2015)";
+    const ABOUT: &'static str = "P. Nathan, *Obtaining the convex hull from a set of points using the gift wrapping \
+         algorithm*, 2015: its claims judged, its figure drawn anew.";
+
+    type Studies = Studies;
+    type Rows = Studied;
+    type Figures = ();
+
+    const TOPICS: &'static [Topic<Self>] = TOPICS;
+    const CLAIMS: &'static [Claim<Self>] = verdicts::CLAIMS;
+    const STUDIES: &'static [Study<Self>] = &[
+        Study::new("wraps", studies::wraps::run),
+        Study::new("starts", studies::starts::run),
+        Study::new("epsilon", studies::epsilon::run),
+        Study::new("lifting", studies::lifting::run),
+        Study::new("sweep", studies::sweep::run),
+        Study::new("corners", studies::corners::run),
+    ];
+
+    fn seed(studies: &mut Studies) -> &mut u64 {
+        &mut studies.seed
+    }
+
+    fn analysis(studies: &Studies) -> &str {
+        &studies.analysis
+    }
+
+    fn figures() -> Result<()> {
+        Ok(())
+    }
+
+    fn measure(id: &str, records: &Records) -> Option<f64> {
+        verdicts::predictions::measure(id, records)
+    }
+
+    fn certificates(records: &Records) -> Option<String> {
+        let triangulations = records.own.lifting.iter().map(|row| row.exact_right);
+        Some(format!(
+            "{} wraps counted, each equal to a certified hull; {} triangulations certified",
+            records.own.wraps.len(),
+            triangulations.sum::<usize>()
+        ))
+    }
 }
 
-/// Runs the experiments that the asked-for tables, figures and claims need, and writes the report.
-fn run(request: &Request<'_>) -> Result<Judged> {
-    let started = Instant::now();
-    let published = Published::load()?;
-    let topics = topics::parse(request.ids, &published)?;
-    let mut definition = Definition::load(request.quick)?;
-    definition.seed = request.seed.unwrap_or(definition.seed);
-    let mut provenance = Provenance::collect(request.command.to_owned(), Some(definition.seed));
-    let records = experiment(&definition, &topics)?;
-    provenance.finish(started.elapsed().as_secs());
-    let folder = Folder::open(request.folder.to_owned(), provenance)?;
-    let verdicts = report(&folder, &definition, &topics, &records, &published)?;
-    Ok(Judged {
-        verdicts,
-        uncertified: records.failures.len(),
-        claims: published.claims,
-    })
-}
-
-/// An experiment as a function.
-type Run = fn(&Definition, &mut Records) -> Result<()>;
-
-/// Every experiment, in the order in which they run.
-const EXPERIMENTS: [(Experiment, Run); 8] = [
-    (Experiment::Wraps, experiments::wraps::run),
-    (Experiment::Starts, experiments::starts::run),
-    (Experiment::Epsilon, experiments::epsilon::run),
-    (Experiment::Lifting, experiments::lifting::run),
-    (Experiment::Sweep, experiments::sweep::run),
-    (Experiment::Sizes, experiments::sizes::run),
-    (Experiment::Corners, experiments::times::own_corners),
-    (Experiment::Methods, experiments::times::methods),
+const TOPICS: &[Topic<Nathan>] = &[
+    Topic {
+        name: "wraps",
+        needs: &["wraps"],
+        write: |folder, found| render::wraps::write(folder, &found.records),
+        line: "[What wrapping asks](wraps.md), [figures](wraps.csv)",
+    },
+    Topic {
+        name: "epsilon",
+        needs: &["epsilon", "starts"],
+        write: |folder, found| render::epsilon::write(folder, &found.records),
+        line: "[The epsilon, and the first points](epsilon.md), figures: [epsilon](epsilon.csv), [starts](starts.csv)",
+    },
+    Topic {
+        name: "wrap-times",
+        needs: &["nathan-times", "corners"],
+        write: |folder, found| render::times::write(folder, &found.records),
+        line: "[Times of wrapping](wrap-times.md), [figures](wrap-times.csv)",
+    },
+    Topic {
+        name: "delaunay",
+        needs: &[],
+        write: |folder, found| render::figure1::write(folder, &found.studies),
+        line: "Figure 1: [Delaunay triangulation of flattened points of the sphere](delaunay.svg), \
+               [triangles](delaunay.csv)",
+    },
+    Topic {
+        name: "lifting",
+        needs: &["lifting"],
+        write: |folder, found| render::lifting::write(folder, &found.records),
+        line: "[Delaunay triangulations by lifting](lifting.md), figures: [offsets](lifting.csv), [grids](grids.csv)",
+    },
+    Topic {
+        name: "sweep",
+        needs: &["sweep"],
+        write: |folder, found| render::sweep::write(folder, &found.studies.sweep, &found.records),
+        line: "[The swept volume of a moving box](sweep.md), [figures](sweep.csv)",
+    },
+    Topic {
+        name: "sizes-in-space",
+        needs: &["nathan-sizes"],
+        write: |folder, found| render::sizes::write(folder, &found.records),
+        line: "[Sizes in space](sizes.md), [figures](sizes.csv)",
+    },
 ];
 
-/// Runs what `topics` need, each experiment once.
-fn experiment(definition: &Definition, topics: &[Topic]) -> Result<Records> {
-    let mut records = Records::default();
-    for (experiment, run) in EXPERIMENTS {
-        let needs = |topic: &Topic| topics::experiments(topic).contains(&experiment);
-        if topics.iter().any(needs) {
-            run(definition, &mut records)?;
-        }
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn claims_predictions_and_needs_fit_the_files() {
+        crate::reproduce::paper::checks::all::<super::Nathan>();
     }
-    Ok(records)
-}
-
-/// Writes everything that `topics` ask for, and the records. Returns the verdicts.
-fn report(
-    folder: &Folder,
-    definition: &Definition,
-    topics: &[Topic],
-    records: &Records,
-    published: &Published,
-) -> Result<Vec<Verdict>> {
-    for topic in topics {
-        match topic {
-            Topic::Wraps => render::wraps::write(folder, records)?,
-            Topic::Epsilon => render::epsilon::write(folder, records)?,
-            Topic::Times => render::times::write(folder, records)?,
-            Topic::Figure1 => render::figure1::write(folder, definition)?,
-            Topic::Lifting => render::lifting::write(folder, records)?,
-            Topic::Sweep => render::sweep::write(folder, &definition.sweep, records)?,
-            Topic::Sizes => render::sizes::write(folder, records)?,
-            Topic::Claim(_) => {}
-        }
-    }
-    let judge = |topic: &Topic| match topic {
-        Topic::Claim(id) => verdicts::judge(id, records),
-        _ => None,
-    };
-    let verdicts: Vec<Verdict> = topics.iter().filter_map(judge).collect();
-    let predictions: Vec<Checked<'_>> = verdicts::predictions::check(records, published);
-    if !verdicts.is_empty() {
-        render::index::write_claims(folder, &verdicts, &predictions, published)?;
-    }
-    for (name, text, rows) in records.files()? {
-        if rows > 0 {
-            folder.csv(&format!("records-{name}"), &text)?;
-        }
-    }
-    render::index::write(
-        folder,
-        &definition.analysis,
-        topics,
-        records,
-        &verdicts,
-        &predictions,
-        published,
-    )?;
-    Ok(verdicts)
 }

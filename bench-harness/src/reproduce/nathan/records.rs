@@ -1,32 +1,38 @@
-//! What the experiments leave behind: plain rows, one CSV file a kind. Tables, figures and verdicts are computed
-//! from these alone.
+//! What the studies of this paper leave behind, beside the rows of every paper.
 
-use crate::reproduce::space::rows::{FailureRow, SetRow, TimeRow, text};
+use crate::reproduce::rows::{Files, Tables};
+use anyhow::Result;
 use serde::Serialize;
 
-/// Everything recorded in one run.
+/// Everything recorded of this paper.
+pub(crate) type Records = crate::reproduce::rows::Records<Studied>;
+
+/// The rows of the studies.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Records {
-    /// Every set that was wrapped or timed.
-    pub(crate) sets: Vec<SetRow>,
+pub(crate) struct Studied {
     /// Wraps, certified.
     pub(crate) wraps: Vec<WrapRow>,
     /// First points.
     pub(crate) starts: Vec<StartRow>,
     /// Runs with the paper's epsilon, and with exact answers.
     pub(crate) epsilon: Vec<EpsilonRow>,
-    /// Time samples.
-    pub(crate) times: Vec<TimeRow>,
     /// Triangulations by lifting.
     pub(crate) lifting: Vec<LiftRow>,
     /// Cells of grids.
     pub(crate) grids: Vec<GridRow>,
-    /// Numbers of vertices, as histograms.
-    pub(crate) sizes: Vec<SizeRow>,
     /// The moving box.
     pub(crate) sweep: Vec<SweepRow>,
-    /// Results without a certificate.
-    pub(crate) failures: Vec<FailureRow>,
+}
+
+impl Tables for Studied {
+    fn write(&self, files: &mut Files) -> Result<()> {
+        files.add("wraps", &self.wraps)?;
+        files.add("starts", &self.starts)?;
+        files.add("epsilon", &self.epsilon)?;
+        files.add("lifting", &self.lifting)?;
+        files.add("grids", &self.grids)?;
+        files.add("sweep", &self.sweep)
+    }
 }
 
 /// What one certified wrap of one set did. Exact integers, equal on every machine.
@@ -125,16 +131,6 @@ pub(crate) struct GridRow {
     pub(crate) wrong_signs: u64,
 }
 
-/// How many replicates of a cell have a hull of so many vertices.
-#[derive(Clone, Debug, Default, Serialize)]
-pub(crate) struct SizeRow {
-    pub(crate) distribution: String,
-    pub(crate) n: usize,
-    pub(crate) vertices: usize,
-    pub(crate) replicates: u64,
-    pub(crate) digest: String,
-}
-
 /// What a check for obstacles found.
 #[derive(Clone, Debug, Default, Serialize)]
 pub(crate) struct SweepRow {
@@ -145,23 +141,4 @@ pub(crate) struct SweepRow {
     /// Obstacles that the box meets on its way.
     pub(crate) obstacles: usize,
     pub(crate) missed: usize,
-}
-
-impl Records {
-    /// Every file of records: its name, its text without the head, and how many rows it has.
-    pub(crate) fn files(&self) -> Result<Vec<(&'static str, String, usize)>, csv::Error> {
-        let file = |name, (text, rows)| (name, text, rows);
-        Ok(vec![
-            file("sets.csv", text(&self.sets)?),
-            file("wraps.csv", text(&self.wraps)?),
-            file("starts.csv", text(&self.starts)?),
-            file("epsilon.csv", text(&self.epsilon)?),
-            file("times.csv", text(&self.times)?),
-            file("lifting.csv", text(&self.lifting)?),
-            file("grids.csv", text(&self.grids)?),
-            file("sizes.csv", text(&self.sizes)?),
-            file("sweep.csv", text(&self.sweep)?),
-            file("failures.csv", text(&self.failures)?),
-        ])
-    }
 }

@@ -1,7 +1,7 @@
 //! The sets of this paper's experiments: those of the catalogue, moved away from the origin or put in another order.
 
 use super::definition::Order;
-use crate::reproduce::space::sets::PointSet3;
+use crate::reproduce::sets::PointSet3;
 use anyhow::{Context, Result};
 use geometry_core::Point2;
 use point_sets::Spec;

@@ -1,16 +1,41 @@
 //! Claims and the verdicts on them, and predictions, for any paper.
 
+use super::folder::Folder;
 use super::sheet::{Sheet, fixed};
-use crate::reproduce::data::Claim;
+use crate::reproduce::data::{Claim, Published};
 use crate::reproduce::prediction::Checked;
 use crate::reproduce::verdict::{Outcome, Verdict};
+use anyhow::Result;
+
+/// Writes `claims.md` and `claims.csv` of the paper called `title`.
+pub(crate) fn write(
+    folder: &Folder,
+    title: &str,
+    verdicts: &[Verdict],
+    predictions: &[Checked<'_>],
+    published: &Published,
+) -> Result<()> {
+    let mut body = String::from(
+        "The claims are the paper's, in our words. A verdict is computed from the records of this run and holds for \
+         the range it names.\n\n",
+    );
+    for verdict in verdicts {
+        body += &section(verdict, &published.claims);
+    }
+    body += &format!(
+        "## Predictions published before the run\n\n{}",
+        predicted(predictions).markdown()
+    );
+    folder.markdown("claims.md", &format!("The claims of {title}"), &body)?;
+    folder.csv("claims.csv", &long(verdicts).csv())
+}
 
 fn find<'a>(claims: &'a [Claim], id: &str) -> Option<&'a Claim> {
     claims.iter().find(|claim| claim.id == id)
 }
 
 /// A claim, how it was tested, and the outcome of each part.
-pub(crate) fn section(verdict: &Verdict, claims: &[Claim]) -> String {
+fn section(verdict: &Verdict, claims: &[Claim]) -> String {
     let mut text = format!("## {}: {}\n\n", verdict.id, verdict.outcome);
     if let Some(claim) = find(claims, verdict.id) {
         text += &format!(
@@ -38,7 +63,7 @@ pub(crate) fn section(verdict: &Verdict, claims: &[Claim]) -> String {
 }
 
 /// Every part of every verdict, a row each.
-pub(crate) fn long(verdicts: &[Verdict]) -> Sheet {
+fn long(verdicts: &[Verdict]) -> Sheet {
     let mut sheet = Sheet::new(&["claim", "verdict", "part", "outcome", "statistic"]);
     for verdict in verdicts {
         for part in &verdict.parts {

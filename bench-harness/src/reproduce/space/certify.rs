@@ -3,9 +3,9 @@
 //! The checker, which shares no arithmetic with the methods, certifies one result; every other method must
 //! give that same value.
 
-use super::rows::{FailureRow, SetRow};
-use super::sets::PointSet3;
 use super::spatial_method;
+use crate::reproduce::rows::{FailureRow, SetRow};
+use crate::reproduce::sets::PointSet3;
 use anyhow::Result;
 use geometry_core::{Hull3, HullError, Points};
 
@@ -66,7 +66,7 @@ pub(crate) fn certify_results(stage: &str, set: &PointSet3, results: Vec<Named>)
         seed: set.seed,
         fingerprint: set.fingerprint(),
         vertices: proved.as_ref().map_or(0, Hull3::len),
-        facets: proved.as_ref().map_or(0, |hull| hull.facets().count()),
+        facets: proved.as_ref().map(|hull| hull.facets().count()),
         certified: passed.len(),
         methods: tried,
     };

@@ -1,12 +1,17 @@
 //! Growth with n: the data of counted runs, their exponent, and what is said of it: that it has a value, that a bound
-//! holds, that a cost is O(n log n).
+//! holds, that a cost is O(n log n). Which law a cost follows is another question: [`crate::stats::growth`] answers it.
 
-use super::rows::CountRow;
+use crate::reproduce::rows::CountRow;
 use crate::reproduce::verdict::{Outcome, Part};
 use crate::stats::interval::{Place, equivalence};
 use crate::stats::line::{Line, fit_log_log};
 use crate::stats::summary::{deviation, mean};
 use std::collections::BTreeMap;
+
+/// All questions of every kind.
+pub(crate) fn questions(row: &CountRow) -> f64 {
+    row.questions() as f64
+}
 
 /// n and `quantity` of each run.
 pub(crate) fn against_n<'a>(

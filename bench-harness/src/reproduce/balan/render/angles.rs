@@ -33,7 +33,7 @@ pub(crate) fn write(folder: &Folder, records: &Records) -> Result<()> {
         "exact",
     ]);
     let mut cells: BTreeMap<(&str, usize), Vec<&AngleRow>> = BTreeMap::new();
-    for row in &records.angles {
+    for row in &records.own.angles {
         let cell = (row.distribution.as_str(), row.n);
         cells.entry(cell).or_default().push(row);
     }

@@ -1,14 +1,14 @@
 //! The figures: visibility tests, orders of insertion and evaluations of quickhull, against n.
 
 use crate::reproduce::balan::derived::{plane_tests, runs};
-use crate::reproduce::balan::experiments::orders::{AS_GIVEN, SHUFFLED};
 use crate::reproduce::balan::published::DISTRIBUTIONS;
 use crate::reproduce::balan::records::Records;
+use crate::reproduce::balan::studies::orders::{AS_GIVEN, SHUFFLED};
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::plot::{Chart, PALETTE, Scale, Series, Stroke, draw};
 use crate::reproduce::render::sheet::Sheet;
+use crate::reproduce::rows::CountRow;
 use crate::reproduce::space::growth::{against_n, means};
-use crate::reproduce::space::rows::CountRow;
 use anyhow::Result;
 
 /// Writes `visibility.svg` and `visibility.csv`.

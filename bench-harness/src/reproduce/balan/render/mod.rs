@@ -1,7 +1,5 @@
 //! The report on Balan, Munjal and Rao. Nothing here runs an algorithm or a clock.
 
 pub(crate) mod angles;
-pub(crate) mod claims;
 pub(crate) mod figures;
-pub(crate) mod index;
 pub(crate) mod tables;

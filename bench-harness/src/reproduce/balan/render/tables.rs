@@ -1,18 +1,13 @@
 //! The table that the paper does not print, in two: what each method asks and makes, and how long it takes.
 
-use crate::reproduce::balan::derived::{
-    Cell, hull_sizes, plane_tests, runs, timed_cells, triangles,
-};
-use crate::reproduce::balan::experiments::times::{BASE, TWIN};
-use crate::reproduce::balan::experiments::{counts, times};
-use crate::reproduce::balan::published::{
-    Comparison, DISTRIBUTIONS, KIN, PROGRAMS, Published, TWINS, slugs,
-};
+use crate::reproduce::balan::derived::{BASE, TWIN};
+use crate::reproduce::balan::derived::{Cell, hull_sizes, plane_tests, runs, triangles};
+use crate::reproduce::balan::published::{Comparison, DISTRIBUTIONS, KIN, PROGRAMS, TWINS, slugs};
 use crate::reproduce::balan::records::Records;
+use crate::reproduce::ratio::{median_time, time_ratio, timed_cells};
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::sheet::{Sheet, duration, fixed};
-use crate::reproduce::space::ratio::{median_time, time_ratio};
-use crate::reproduce::space::rows::CountRow;
+use crate::reproduce::rows::CountRow;
 use crate::reproduce::verdict::ratio_text;
 use crate::stats::summary::mean;
 use anyhow::Result;
@@ -53,7 +48,7 @@ pub(crate) fn write_counts(folder: &Folder, records: &Records) -> Result<()> {
     ]);
     for (distribution, n) in counted_cells(records) {
         let (vertices, facets) =
-            hull_sizes(records, counts::STAGE, (distribution, n)).unwrap_or_default();
+            hull_sizes(records, "counts", (distribution, n)).unwrap_or_default();
         for slug in slugs() {
             let rows: Vec<&CountRow> = runs(records, distribution, slug)
                 .filter(|row| row.n == n)
@@ -121,14 +116,18 @@ fn key() -> String {
 }
 
 /// Writes `times.md` and `times.csv`.
-pub(crate) fn write_times(folder: &Folder, records: &Records, published: &Published) -> Result<()> {
+pub(crate) fn write_times(
+    folder: &Folder,
+    records: &Records,
+    comparisons: &[Comparison],
+) -> Result<()> {
     let mut columns = vec!["distribution", "n", "h", "F"];
     columns.extend(slugs());
     columns.push(TWIN);
     let mut sheet = Sheet::new(&columns);
-    for (distribution, n) in timed_cells(records) {
+    for (distribution, n) in timed_cells(&records.times) {
         let cell = (distribution.as_str(), n);
-        let (vertices, facets) = hull_sizes(records, times::STAGE, cell).unwrap_or_default();
+        let (vertices, facets) = hull_sizes(records, "times", cell).unwrap_or_default();
         let mut row = vec![
             distribution.clone(),
             n.to_string(),
@@ -142,7 +141,7 @@ pub(crate) fn write_times(folder: &Folder, records: &Records, published: &Publis
         "{TIMES}{}{}{}",
         key(),
         sheet.markdown(),
-        beside(records, &published.comparisons)
+        beside(records, comparisons)
     );
     folder.markdown("times.md", "Times", &body)?;
     folder.csv("times.csv", &long_times(records).csv())
@@ -171,7 +170,7 @@ fn long_times(records: &Records) -> Sheet {
         "ratio_low",
         "ratio_high",
     ]);
-    for (distribution, n) in timed_cells(records) {
+    for (distribution, n) in timed_cells(&records.times) {
         let cell = (distribution.as_str(), n);
         for slug in slugs().chain([TWIN]) {
             let Some(median) = median_time(&records.times, cell, slug) else {
@@ -207,7 +206,7 @@ fn beside(records: &Records, comparisons: &[Comparison]) -> String {
         "our ratio",
     ]);
     for comparison in comparisons {
-        let cells = timed_cells(records);
+        let cells = timed_cells(&records.times);
         let sizes = cells
             .iter()
             .filter(|(distribution, _)| *distribution == comparison.distribution)

@@ -1,11 +1,13 @@
 //! B-1: what their divide and conquer costs.
 
 use super::{Outcome, Verdict, all_of};
-use crate::reproduce::balan::derived::{questions, runs};
-use crate::reproduce::balan::experiments::merges::{LOOKING, SORTING};
+use crate::reproduce::balan::derived::runs;
 use crate::reproduce::balan::records::{MergeRow, Records};
-use crate::reproduce::space::growth::{against_n, at_largest, does_not_rise, exponent, grows_as};
-use crate::reproduce::space::rows::CountRow;
+use crate::reproduce::balan::studies::merges::{LOOKING, SORTING};
+use crate::reproduce::rows::CountRow;
+use crate::reproduce::space::growth::{
+    against_n, at_largest, does_not_rise, exponent, grows_as, questions,
+};
 
 /// Where the bound should hold.
 const DISTRIBUTIONS: [&str; 5] = ["sphere", "ball", "normal3", "cone:axis=x", "fan:axis=x"];
@@ -74,6 +76,7 @@ fn merges<'a>(
     method: &'a str,
 ) -> impl Iterator<Item = &'a MergeRow> {
     records
+        .own
         .merges
         .iter()
         .filter(move |row| row.distribution == distribution && row.method == method)
@@ -140,7 +143,7 @@ mod tests {
         for n in made_up::SIZES {
             for (replicate, distribution) in [0, 1].into_iter().flat_map(|r| WORST.map(|w| (r, w)))
             {
-                records.merges.push(MergeRow {
+                records.own.merges.push(MergeRow {
                     distribution: distribution.to_owned(),
                     n,
                     replicate,

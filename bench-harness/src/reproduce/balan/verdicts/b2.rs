@@ -5,7 +5,7 @@ use crate::reproduce::balan::records::{AngleRow, Records};
 use crate::stats::wilson;
 
 pub(super) fn judge(records: &Records) -> Verdict {
-    let rows = &records.angles;
+    let rows = &records.own.angles;
     let parts = vec![
         control(rows),
         proportion(
@@ -119,9 +119,10 @@ fn notes(rows: &[AngleRow]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reproduce::balan::records::Studied;
 
     fn verdict(directions_right: u64, printed: u64, exact: u64) -> Outcome {
-        let records = Records {
+        let records = Records::from(Studied {
             angles: vec![AngleRow {
                 steps: 10,
                 candidates: 100,
@@ -130,8 +131,8 @@ mod tests {
                 exact,
                 ..AngleRow::default()
             }],
-            ..Records::default()
-        };
+            ..Studied::default()
+        });
         judge(&records).outcome
     }
 

@@ -1,6 +1,6 @@
 //! B-3: insertion without a conflict graph.
 
-use super::{Outcome, Part, Verdict, all_of};
+use super::{Outcome, Part, Verdict, verdict};
 use crate::reproduce::balan::derived::{plane_tests, runs};
 use crate::reproduce::balan::records::Records;
 use crate::reproduce::space::growth::{against_n, at_largest, exponent, grows_as};
@@ -22,12 +22,7 @@ pub(super) fn judge(records: &Records) -> Verdict {
         )
     });
     let parts: Vec<Part> = [identity(records)].into_iter().chain(quadratic).collect();
-    Verdict {
-        id: "B-3",
-        outcome: all_of(parts.iter().map(|part| part.outcome)),
-        parts,
-        notes: constants(records),
-    }
+    verdict("B-3", parts, constants(records))
 }
 
 /// With all points extreme and in general position, the i-th is tested against 2 (i - 1) - 4 facets.
@@ -100,7 +95,7 @@ fn expected_tests(distribution: &str, n: usize) -> Option<f64> {
 mod tests {
     use super::super::made_up;
     use super::*;
-    use crate::reproduce::space::rows::CountRow;
+    use crate::reproduce::rows::CountRow;
 
     fn verdict(tests: impl Fn(&str, f64) -> f64 + Copy) -> Verdict {
         let mut records = Records::default();

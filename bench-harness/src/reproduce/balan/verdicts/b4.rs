@@ -1,10 +1,10 @@
 //! B-4: insertion in random order with a conflict graph.
 
-use super::{Outcome, Part, Verdict, all_of};
+use super::{Outcome, Part, Verdict, all_of, verdict};
 use crate::reproduce::balan::derived::{plane_tests, runs};
 use crate::reproduce::balan::records::Records;
+use crate::reproduce::rows::CountRow;
 use crate::reproduce::space::growth::{against_n, at_largest, groups, is_n_log_n, upper_decades};
-use crate::reproduce::space::rows::CountRow;
 use crate::stats::line::{Line, fit_on_log};
 use crate::stats::summary::{mean, standard_error};
 
@@ -19,12 +19,7 @@ pub(super) fn judge(records: &Records) -> Verdict {
         is_n_log_n(format!("{distribution}: plane tests are O(n log n)"), &data)
     });
     let parts: Vec<Part> = facets.into_iter().chain(tests).collect();
-    Verdict {
-        id: "B-4",
-        outcome: all_of(parts.iter().map(|part| part.outcome)),
-        parts,
-        notes: constants(records),
-    }
+    verdict("B-4", parts, constants(records))
 }
 
 /// Whether the facets made are expected to be 6 n - 20 at most, by the mean of each size and three standard errors.

@@ -1,10 +1,10 @@
 //! B-5: the worst order of insertion.
 
-use super::{Outcome, Part, Verdict, all_of};
-use crate::reproduce::balan::experiments::orders::{AS_GIVEN, SHUFFLED};
+use super::{Outcome, Part, Verdict, verdict};
 use crate::reproduce::balan::records::Records;
+use crate::reproduce::balan::studies::orders::{AS_GIVEN, SHUFFLED};
+use crate::reproduce::rows::CountRow;
 use crate::reproduce::space::growth::{against_n, at_largest, does_not_rise, grows_as};
-use crate::reproduce::space::rows::CountRow;
 
 pub(super) fn judge(records: &Records) -> Verdict {
     let facets = |order: &'static str| {
@@ -33,12 +33,7 @@ pub(super) fn judge(records: &Records) -> Verdict {
                 given.1 / shuffled.1
             )
         });
-    Verdict {
-        id: "B-5",
-        outcome: all_of(parts.iter().map(|part| part.outcome)),
-        parts,
-        notes: notes.into_iter().collect(),
-    }
+    verdict("B-5", parts, notes.into_iter().collect())
 }
 
 /// Whether the facets made in the order as given are n²/4 at the largest n, to one part in a hundred.

@@ -1,12 +1,12 @@
 //! B-6: what quickhull costs.
 
-use super::{Part, Verdict, all_of};
+use super::{Part, Verdict, verdict};
 use crate::reproduce::balan::derived::{plane_tests, runs, triangles};
 use crate::reproduce::balan::records::Records;
+use crate::reproduce::rows::CountRow;
 use crate::reproduce::space::growth::{
     against_n, at_largest, does_not_rise, is_n_log_n, range, upper_decades,
 };
-use crate::reproduce::space::rows::CountRow;
 use crate::stats::line::{Line, fit_on_log};
 
 /// The paper's program.
@@ -29,12 +29,7 @@ pub(super) fn judge(records: &Records) -> Verdict {
         is_n_log_n(what, &data)
     });
     let parts: Vec<Part> = by_facets.into_iter().chain(on_average).collect();
-    Verdict {
-        id: "B-6",
-        outcome: all_of(parts.iter().map(|part| part.outcome)),
-        parts,
-        notes: notes(records),
-    }
+    verdict("B-6", parts, notes(records))
 }
 
 /// Evaluations as a share of m n.

@@ -1,11 +1,10 @@
 //! B-7: which program is faster.
 
 use super::{Outcome, Part, Verdict};
-use crate::reproduce::balan::derived::{timed_cells, timed_methods};
-use crate::reproduce::balan::experiments::times::{BASE, TWIN};
+use crate::reproduce::balan::derived::{BASE, TWIN};
 use crate::reproduce::balan::published::PROGRAMS;
 use crate::reproduce::balan::records::Records;
-use crate::reproduce::space::ratio::time_ratio;
+use crate::reproduce::ratio::{time_ratio, timed_cells, timed_methods};
 use crate::reproduce::verdict::ratio_text;
 
 pub(super) fn judge(records: &Records) -> Verdict {
@@ -26,9 +25,9 @@ pub(super) fn judge(records: &Records) -> Verdict {
 /// In each timed cell, the other two of the paper's programs beside the fastest.
 fn fastest(records: &Records) -> Vec<String> {
     let mut notes = Vec::new();
-    for (distribution, n) in timed_cells(records) {
+    for (distribution, n) in timed_cells(&records.times) {
         let cell = (distribution.as_str(), n);
-        let timed = timed_methods(records, cell);
+        let timed = timed_methods(&records.times, cell);
         let programs = PROGRAMS.map(|(slug, _)| slug);
         if !programs.iter().all(|slug| timed.iter().any(|t| t == slug)) {
             continue;
@@ -59,7 +58,7 @@ fn fastest(records: &Records) -> Vec<String> {
 
 /// The base against itself.
 fn noise(records: &Records) -> Option<String> {
-    let medians: Vec<f64> = timed_cells(records)
+    let medians: Vec<f64> = timed_cells(&records.times)
         .iter()
         .filter_map(|(distribution, n)| time_ratio(&records.times, (distribution, *n), TWIN, BASE))
         .map(|ratio| ratio.median.exp())

@@ -1,7 +1,7 @@
 //! Records made up for the tests of the judges.
 
 use crate::reproduce::balan::records::Records;
-use crate::reproduce::space::rows::{CountRow, TimeRow};
+use crate::reproduce::rows::{CountRow, TimeRow};
 
 /// Sizes of the made-up sets.
 pub(super) const SIZES: [usize; 3] = [100, 1_000, 10_000];

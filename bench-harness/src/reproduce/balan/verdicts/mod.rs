@@ -14,40 +14,19 @@ mod b7;
 mod made_up;
 pub(crate) mod predictions;
 
-use super::records::Records;
-use crate::reproduce::verdict::{Outcome, Part, Verdict, all_of};
+use super::Balan;
+use crate::reproduce::paper::Claim;
+use crate::reproduce::verdict::{Outcome, Part, Verdict, all_of, verdict};
 
-/// Every claim's id and its judge, in order.
-type Judge = fn(&Records) -> Verdict;
-const JUDGES: [(&str, Judge); 7] = [
-    ("B-1", b1::judge),
-    ("B-2", b2::judge),
-    ("B-3", b3::judge),
-    ("B-4", b4::judge),
-    ("B-5", b5::judge),
-    ("B-6", b6::judge),
-    ("B-7", b7::judge),
+/// The claims, in order.
+pub(crate) const CLAIMS: &[Claim<Balan>] = &[
+    Claim::new("B-1", &["balan-counts", "merges"], |records, _| {
+        b1::judge(records)
+    }),
+    Claim::new("B-2", &["angles"], |records, _| b2::judge(records)),
+    Claim::new("B-3", &["balan-counts"], |records, _| b3::judge(records)),
+    Claim::new("B-4", &["balan-counts"], |records, _| b4::judge(records)),
+    Claim::new("B-5", &["orders"], |records, _| b5::judge(records)),
+    Claim::new("B-6", &["balan-counts"], |records, _| b6::judge(records)),
+    Claim::new("B-7", &["balan-times"], |records, _| b7::judge(records)),
 ];
-
-/// The verdict on the claim `id`, if there is such a claim.
-pub(crate) fn judge(id: &str, records: &Records) -> Option<Verdict> {
-    let (_, judge) = JUDGES.iter().find(|(known, _)| *known == id)?;
-    Some(judge(records))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::reproduce::balan::published::Published;
-
-    #[test]
-    fn without_records_nothing_is_testable() {
-        let published = Published::load().expect("valid");
-        for (id, _) in JUDGES {
-            let verdict = judge(id, &Records::default()).expect("a claim");
-            assert_eq!(verdict.outcome, Outcome::NotTestable, "{id}");
-            assert_eq!(verdict.id, id);
-            assert!(published.claims.iter().any(|claim| claim.id == id));
-        }
-    }
-}

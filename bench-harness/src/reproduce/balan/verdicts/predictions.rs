@@ -1,17 +1,10 @@
 //! What we predicted before the run, beside what came out.
 
 use super::{b3, b4, b6};
-use crate::reproduce::balan::published::Published;
 use crate::reproduce::balan::records::Records;
-use crate::reproduce::prediction::{self, Checked};
 
-/// Every prediction, checked.
-pub(crate) fn check<'a>(records: &Records, published: &'a Published) -> Vec<Checked<'a>> {
-    prediction::check(&published.predictions, |id| measure(id, records))
-}
-
-/// The value of the prediction's measure.
-fn measure(id: &str, records: &Records) -> Option<f64> {
+/// The value of what the prediction called `id` is about.
+pub(crate) fn measure(id: &str, records: &Records) -> Option<f64> {
     match id {
         "ball-tests" => b3::over_power(records, "ball", 1.5),
         "ball-expectation" => b3::over_expectation(records, "ball"),
@@ -32,7 +25,9 @@ fn measure(id: &str, records: &Records) -> Option<f64> {
 mod tests {
     use super::super::made_up;
     use super::*;
-    use crate::reproduce::space::rows::CountRow;
+    use crate::reproduce::balan::Balan;
+    use crate::reproduce::paper::checks;
+    use crate::reproduce::rows::CountRow;
 
     #[test]
     fn every_prediction_has_a_measure() {
@@ -45,16 +40,8 @@ mod tests {
                 ..CountRow::default()
             });
         }
-        let published = Published::load().expect("valid");
-        let checked = check(&records, &published);
+        let checked = checks::predictions::<Balan>(&records);
         assert!(checked.len() >= 10);
-        for checked in checked {
-            assert!(checked.measured.is_some(), "{}", checked.prediction.id);
-        }
-        assert!(
-            check(&Records::default(), &published)
-                .iter()
-                .all(|checked| checked.measured.is_none())
-        );
+        assert!(checked.values().all(Option::is_some), "{checked:?}");
     }
 }

@@ -1,7 +1,6 @@
 //! The report on Day. Nothing here runs an algorithm or a clock.
 
 pub(crate) mod figure;
-pub(crate) mod index;
 pub(crate) mod merges;
 pub(crate) mod others;
 pub(crate) mod precision;

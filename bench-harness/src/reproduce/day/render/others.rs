@@ -51,9 +51,9 @@ The same sets by one processor and with halves side by side: hulls and questions
 
 /// Writes `degenerate.md` and `degenerate.csv`.
 pub(crate) fn write_degenerate(folder: &Folder, records: &Records) -> Result<()> {
-    let formats = in_order(records.battery.iter().map(|row| &row.format));
+    let formats = in_order(records.own.battery.iter().map(|row| &row.format));
     let power = |format: &str| {
-        let row = records.battery.iter().find(|row| row.format == format);
+        let row = records.own.battery.iter().find(|row| row.format == format);
         row.and_then(|row| row.power)
     };
     let heads: Vec<String> = formats
@@ -68,7 +68,7 @@ pub(crate) fn write_degenerate(folder: &Folder, records: &Records) -> Result<()>
     columns.push("vanish, %");
     let mut sheet = Sheet::new(&columns);
     let mut cells: BTreeMap<(&str, &str, usize), Vec<&BatteryRow>> = BTreeMap::new();
-    for row in &records.battery {
+    for row in &records.own.battery {
         let key = (row.what.as_str(), row.distribution.as_str(), row.n);
         cells.entry(key).or_default().push(row);
     }
@@ -127,7 +127,7 @@ pub(crate) fn write_bases(folder: &Folder, records: &Records) -> Result<()> {
         "all",
     ]);
     let mut cells: BTreeMap<(&str, usize, usize, &str), Vec<&BaseRow>> = BTreeMap::new();
-    for row in &records.bases {
+    for row in &records.own.bases {
         let key = (row.distribution.as_str(), row.n, row.size, row.way.as_str());
         cells.entry(key).or_default().push(row);
     }
@@ -147,7 +147,7 @@ pub(crate) fn write_bases(folder: &Folder, records: &Records) -> Result<()> {
         ]);
     }
     let mut dummies = Sheet::new(&["n", "format", "eps2", "sets", "right"]);
-    for row in &records.dummies {
+    for row in &records.own.dummies {
         dummies.push(vec![
             row.n.to_string(),
             row.format.clone(),
@@ -174,7 +174,7 @@ pub(crate) fn write_spiral(folder: &Folder, records: &Records) -> Result<()> {
         "calls deep",
     ]);
     let mut cells: BTreeMap<(&str, usize), Vec<_>> = BTreeMap::new();
-    for row in &records.listings {
+    for row in &records.own.listings {
         let key = (row.distribution.as_str(), row.n);
         cells.entry(key).or_default().push(row);
     }
@@ -213,7 +213,7 @@ pub(crate) fn write_checks(folder: &Folder, records: &Records) -> Result<()> {
         "wrong: rejected",
         "right but for a face left out: accepted",
     ]);
-    for row in &records.checks {
+    for row in &records.own.checks {
         let CheckRow {
             right_accepted,
             right_rejected,
@@ -245,7 +245,7 @@ pub(crate) fn write_checks(folder: &Folder, records: &Records) -> Result<()> {
 /// Writes `side-by-side.md` and `side-by-side.csv`.
 pub(crate) fn write_side_by_side(folder: &Folder, records: &Records) -> Result<()> {
     let mut sheet = Sheet::new(&["set", "n", "replicate", "certified", "one", "side by side"]);
-    for row in &records.parallel {
+    for row in &records.own.parallel {
         sheet.push(vec![
             row.distribution.clone(),
             row.n.to_string(),

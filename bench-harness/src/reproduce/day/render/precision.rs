@@ -76,7 +76,7 @@ fn shares(records: &Records) -> Sheet {
         .collect();
     let columns = std::iter::once("eps2").chain(heads.iter().map(String::as_str));
     let mut sheet = Sheet::new(&columns.collect::<Vec<_>>());
-    let rows = records.precision.iter();
+    let rows = records.own.precision.iter();
     let mut all: Vec<i32> = rows.map(|row| row.power).collect();
     all.sort_unstable();
     all.dedup();
@@ -98,7 +98,7 @@ fn outcomes(records: &Records) -> Sheet {
         "n", "range", "offset", "format", "bits", "power", "sets", "right", "wrong", "endless",
         "dangling", "share",
     ]);
-    for row in &records.precision {
+    for row in &records.own.precision {
         let mut cells = vec![
             row.n.to_string(),
             row.range.to_string(),
@@ -140,7 +140,7 @@ fn thresholds(records: &Records) -> Sheet {
             let place = (row.n, row.format.as_str()) == (setting.n, setting.format);
             place && [row.range, row.offset] == [setting.range, setting.offset]
         };
-        let controls = || records.controls.iter().filter(is_same);
+        let controls = || records.own.controls.iter().filter(is_same);
         let sets: usize = controls().map(|row| row.sets).sum();
         let right = controls().map(|row| row.right).sum();
         let general = controls().map(|row| row.general).sum();
@@ -160,12 +160,13 @@ fn thresholds(records: &Records) -> Sheet {
 fn speed(records: &Records) -> Sheet {
     let mut sheet = Sheet::new(&["format", "computed by", "median", "over f64"]);
     let mut formats: Vec<&str> = Vec::new();
-    for row in &records.speed {
+    for row in &records.own.speed {
         if formats.contains(&row.format.as_str()) {
             continue;
         }
         formats.push(&row.format);
         let own = records
+            .own
             .speed
             .iter()
             .filter(|other| other.format == row.format);

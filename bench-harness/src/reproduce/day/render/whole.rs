@@ -1,25 +1,25 @@
 //! The whole call: questions and times, by one processor and by all.
 
 use super::figure::Figure;
-use crate::reproduce::day::derived::{in_order, questions, times};
-use crate::reproduce::day::experiments::METHOD;
-use crate::reproduce::day::experiments::times::PARALLEL;
+use crate::reproduce::day::derived::{in_order, times};
+use crate::reproduce::day::laws::compare;
 use crate::reproduce::day::records::Records;
+use crate::reproduce::day::studies::METHOD;
+use crate::reproduce::day::studies::PARALLEL;
+use crate::reproduce::ratio::{median_time, time_ratio};
+use crate::reproduce::recorded::twin;
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::plot::{PALETTE, Scale, Series, Stroke};
-use crate::reproduce::render::sheet::{Sheet, duration};
-use crate::reproduce::space::growth::{against_n, groups, means};
-use crate::reproduce::space::ratio::{median_time, time_ratio};
-use crate::reproduce::space::times::twin;
+use crate::reproduce::render::sheet::{Sheet, duration, fixed};
+use crate::reproduce::space::growth::{against_n, groups, means, questions};
 use crate::reproduce::verdict::ratio_text;
-use crate::stats::models::compare;
 use crate::stats::summary::mean;
 use anyhow::Result;
 
 const QUESTIONS: &str = "\
 All questions of the whole call a point, exact integers: orientations of four points and of shadows, and lexicographic
 comparisons of the sort. A cost of n log n is a straight line in the figure, whose axis of n is logarithmic. The laws y = a
-f(n) + b n are fitted by least squares of the relative error; *ahead* is the error at the upper 30 % of the sizes of a fit
+f(n) + b n are fitted by least squares of the logarithm; *ahead* is the error at the upper 30 % of the sizes of a fit
 to the others. A law is *left* unless both its criterion (AICc, by more than ten) and its foresight are worse than the best
 one's.
 
@@ -111,10 +111,10 @@ fn laws(records: &Records, names: &[&str]) -> Sheet {
             sheet.push(vec![
                 name.to_owned(),
                 what.to_owned(),
-                model.law.name().to_owned(),
-                format!("{:.4}", model.factor),
-                format!("{:.3}", model.linear),
-                format!("{:.3}", 100.0 * model.error),
+                model.law.to_string(),
+                fixed(model.fit.map(|fit| fit.leading), 4),
+                fixed(model.fit.map(|fit| fit.correction), 3),
+                fixed(model.fit.map(|fit| 100.0 * fit.scatter), 3),
                 format!("{:.3}", 100.0 * model.ahead),
                 format!("+{:.1}", model.behind),
                 if model.ruled_out { "no" } else { "yes" }.to_owned(),

@@ -35,14 +35,14 @@ pub(super) fn judge(records: &Records) -> Verdict {
 }
 
 fn sizes(records: &Records) -> BTreeSet<usize> {
-    records.precision.iter().map(|row| row.n).collect()
+    records.own.precision.iter().map(|row| row.n).collect()
 }
 
 /// Whether exact orientations are right on every set that was tried, as rounded to any format.
 fn control(records: &Records) -> Part {
     let what = "control: exact orientations on the same rounded points, every hull certified";
     let sum = |of: fn(&crate::reproduce::day::records::ControlRow) -> usize| -> usize {
-        records.controls.iter().map(of).sum()
+        records.own.controls.iter().map(of).sum()
     };
     let (right, sets) = (sum(|row| row.right), sum(|row| row.sets));
     let outcome = match sets {
@@ -65,7 +65,7 @@ fn at_days_power<'a>(
     records: &'a Records,
     format: &'a str,
 ) -> impl Iterator<Item = &'a PrecisionRow> {
-    let rows = records.precision.iter();
+    let rows = records.own.precision.iter();
     rows.filter(move |row| row.format == format && row.power == DAYS_POWER && row.offset == 0.0)
 }
 
@@ -160,7 +160,7 @@ fn order(records: &Records) -> Part {
 fn failures(records: &Records) -> Part {
     let short = |row: &&PrecisionRow| row.format == "f32" || row.format == "f64";
     let sum = |of: fn(&PrecisionRow) -> usize| -> usize {
-        records.precision.iter().filter(short).map(of).sum()
+        records.own.precision.iter().filter(short).map(of).sum()
     };
     let counts = [
         sum(|row| row.dangling),
@@ -235,7 +235,7 @@ fn by_size(records: &Records) -> Option<String> {
 
 /// The thresholds of a format in other ranges and at other offsets.
 fn elsewhere(records: &Records, format: &str) -> Option<String> {
-    let smallest = records.precision.iter().map(|row| row.n).min()?;
+    let smallest = records.own.precision.iter().map(|row| row.n).min()?;
     let text = |setting: Setting<'_>| {
         let found = threshold(records, setting).map_or_else(
             || "none".to_owned(),
@@ -282,7 +282,7 @@ mod tests {
     fn one_kind_of_failure_is_not_all() {
         let mut records = Records::default();
         made_up::precision(&mut records, [6.5, 13.5, 18.5], 100);
-        for row in &mut records.precision {
+        for row in &mut records.own.precision {
             (row.wrong, row.endless) = (row.wrong + row.endless, 0);
         }
         assert_eq!(judge(&records).outcome, Outcome::NotDistinguishable);

@@ -2,11 +2,11 @@
 
 use super::{Part, Verdict, always, verdict};
 use crate::reproduce::day::derived::in_order;
-use crate::reproduce::day::experiments::checks::EXACT;
 use crate::reproduce::day::records::{CheckRow, Records};
+use crate::reproduce::day::studies::checks::EXACT;
 
 pub(super) fn judge(records: &Records) -> Verdict {
-    let formats = in_order(records.checks.iter().map(|row| &row.checked_in));
+    let formats = in_order(records.own.checks.iter().map(|row| &row.checked_in));
     let parts: Vec<Part> = formats
         .iter()
         .flat_map(|format| agrees(records, format))
@@ -15,7 +15,7 @@ pub(super) fn judge(records: &Records) -> Verdict {
 }
 
 fn sum(records: &Records, format: &str, of: fn(&CheckRow) -> usize) -> usize {
-    let rows = records.checks.iter();
+    let rows = records.own.checks.iter();
     rows.filter(|row| row.checked_in == format).map(of).sum()
 }
 
@@ -63,6 +63,7 @@ fn notes(records: &Records) -> Vec<String> {
 mod tests {
     use super::super::Outcome;
     use super::*;
+    use crate::reproduce::day::records::Studied;
 
     #[test]
     fn each_outcome_can_come_out() {
@@ -75,10 +76,10 @@ mod tests {
                 wrong_rejected,
                 ..CheckRow::default()
             };
-            judge(&Records {
+            judge(&Records::from(Studied {
                 checks: vec![row],
-                ..Records::default()
-            })
+                ..Studied::default()
+            }))
             .outcome
         };
         assert_eq!(judged(0, 0, 100), Outcome::Confirmed);

@@ -2,15 +2,15 @@
 
 use super::{Outcome, Part, Verdict, always, verdict};
 use crate::reproduce::day::derived::in_order;
-use crate::reproduce::day::experiments::METHOD;
-use crate::reproduce::day::experiments::times::PARALLEL;
 use crate::reproduce::day::records::Records;
-use crate::reproduce::space::ratio::time_ratio;
-use crate::reproduce::space::times::twin;
+use crate::reproduce::day::studies::METHOD;
+use crate::reproduce::day::studies::PARALLEL;
+use crate::reproduce::ratio::time_ratio;
+use crate::reproduce::recorded::twin;
 use crate::reproduce::verdict::ratio_text;
 
 pub(super) fn judge(records: &Records) -> Verdict {
-    let rows = &records.parallel;
+    let rows = &records.own.parallel;
     let wrong = rows.iter().filter(|row| !row.same_hull).count();
     let more = rows
         .iter()
@@ -102,7 +102,7 @@ mod tests {
     fn each_outcome_can_come_out() {
         let judged = |factor: f64, same_hull, parallel| {
             let mut records = Records::default();
-            records.parallel.push(ParallelRow {
+            records.own.parallel.push(ParallelRow {
                 same_hull,
                 sequential: 100,
                 parallel,

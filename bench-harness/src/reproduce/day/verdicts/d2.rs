@@ -18,7 +18,7 @@ pub(super) fn judge(records: &Records) -> Verdict {
 fn faster(records: &Records, format: &str, base: &str) -> Part {
     let what = format!("{format} is faster than {base}");
     let in_software = |name: &str| {
-        let mut rows = records.speed.iter().filter(|row| row.format == name);
+        let mut rows = records.own.speed.iter().filter(|row| row.format == name);
         rows.any(|row| row.arithmetic == Arithmetic::Software)
     };
     let ratio = speed_ratio(records, format, base);
@@ -70,7 +70,7 @@ mod tests {
         let mut records = Records::default();
         for (format, time) in [("f32", 1_000), ("f64", 1_100), ("extended", extended)] {
             for (realisation, round) in (0..5).flat_map(|i| (0..4).map(move |j| (i, j))) {
-                records.speed.push(SpeedRow {
+                records.own.speed.push(SpeedRow {
                     format: format.to_owned(),
                     arithmetic: match format {
                         "extended" => arithmetic,

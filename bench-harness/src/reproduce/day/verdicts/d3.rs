@@ -2,10 +2,11 @@
 
 use super::{Outcome, Part, Verdict, verdict};
 use crate::reproduce::day::derived::{WORST, largest, merged, top};
+use crate::reproduce::day::laws::compare;
 use crate::reproduce::day::records::{MergeRow, Records};
 use crate::reproduce::day::variants;
 use crate::reproduce::space::growth::exponent;
-use crate::stats::models::{Law, compare};
+use crate::stats::growth::{Fit, Law};
 
 /// Between linear and quadratic.
 const BETWEEN: f64 = 1.5;
@@ -44,23 +45,17 @@ fn is_quadratic(records: &Records, distribution: &str) -> Part {
 
 /// The linear and the quadratic law fitted, with their errors.
 fn fits(data: &[(f64, f64)]) -> String {
-    let models = compare(data);
-    let fits = models
-        .iter()
-        .filter(|model| matches!(model.law, Law::Linear | Law::Quadratic))
-        .map(|model| {
-            let linear = match model.law {
-                Law::Linear => String::new(),
-                _ => format!(" {:+.3} n", model.linear),
-            };
-            format!(
-                "fit {:.4} {}{linear}, error {:.2} %",
-                model.factor,
-                model.law.name(),
-                100.0 * model.error
-            )
-        });
-    let fits: Vec<String> = fits.collect();
+    let text = |fit: Fit| {
+        let linear = match fit.law {
+            Law::N => String::new(),
+            _ => format!(" {:+.3} n", fit.correction),
+        };
+        let (factor, error) = (fit.leading, 100.0 * fit.scatter);
+        format!("fit {factor:.4} {}{linear}, error {error:.2} %", fit.law)
+    };
+    let fits = compare(data).into_iter().filter_map(|model| model.fit);
+    let fits = fits.filter(|fit| matches!(fit.law, Law::N | Law::N2));
+    let fits: Vec<String> = fits.map(text).collect();
     if fits.is_empty() {
         "too few sizes to fit laws".to_owned()
     } else {

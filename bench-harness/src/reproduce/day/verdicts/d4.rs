@@ -5,7 +5,13 @@ use crate::reproduce::day::derived::merged;
 use crate::reproduce::day::records::{MergeRow, Records};
 
 pub(super) fn judge(records: &Records) -> Verdict {
-    let resumed = || records.merges.iter().filter(|row| row.variant == "resumed");
+    let resumed = || {
+        records
+            .own
+            .merges
+            .iter()
+            .filter(|row| row.variant == "resumed")
+    };
     let merges: u64 = resumed().map(|row| row.merges).sum();
     let against: u64 = resumed().map(|row| row.reexamined).sum();
     let candidates: u64 = resumed().map(|row| row.candidates).sum();
@@ -25,6 +31,7 @@ pub(super) fn judge(records: &Records) -> Verdict {
 fn notes(records: &Records) -> Vec<String> {
     let note = |distribution: &str| {
         let rows = records
+            .own
             .merges
             .iter()
             .filter(|row| row.variant == "rescanned" && row.distribution == distribution);

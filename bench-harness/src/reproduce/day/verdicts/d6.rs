@@ -14,7 +14,7 @@ const TETRAHEDRON: &str = "tetrahedron";
 const SINGLE: &str = "none";
 
 pub(super) fn judge(records: &Records) -> Verdict {
-    let names = in_order(records.bases.iter().map(|row| &row.distribution));
+    let names = in_order(records.own.bases.iter().map(|row| &row.distribution));
     let mut parts: Vec<Part> = names.iter().map(|name| fewer(records, name)).collect();
     parts.push(dummies(records));
     let notes = names.iter().flat_map(|name| notes(records, name)).collect();
@@ -24,7 +24,7 @@ pub(super) fn judge(records: &Records) -> Verdict {
 /// Orientations a point of each base on `distribution`, by size and way: one value a set.
 fn bases<'a>(records: &'a Records, distribution: &str) -> BTreeMap<(usize, &'a str), Vec<f64>> {
     let mut bases: BTreeMap<(usize, &str), Vec<f64>> = BTreeMap::new();
-    for row in &records.bases {
+    for row in &records.own.bases {
         if row.distribution == distribution {
             let values = bases.entry((row.size, row.way.as_str())).or_default();
             values.push(BaseRow::total(row) as f64 / row.n as f64);
@@ -65,8 +65,8 @@ fn fewer(records: &Records, distribution: &str) -> Part {
 /// Whether sets that need dummy points come out right as consistently as the paper says of all.
 fn dummies(records: &Records) -> Part {
     let what = "dummy points inside do no harm: n no multiple of four, extended, eps2 = 1e16";
-    let sets: usize = records.dummies.iter().map(|row| row.sets).sum();
-    let right: usize = records.dummies.iter().map(|row| row.right).sum();
+    let sets: usize = records.own.dummies.iter().map(|row| row.sets).sum();
+    let right: usize = records.own.dummies.iter().map(|row| row.right).sum();
     let (low, high) = wilson::interval(right, sets);
     let outcome = match sets {
         0 => Outcome::NotTestable,
@@ -119,13 +119,13 @@ mod tests {
                 merges: 1_000,
             };
             let off = spread * (replicate % 2);
-            records.bases.extend([
+            records.own.bases.extend([
                 row(1, SINGLE, 300),
                 row(4, TETRAHEDRON, tetrahedra + off),
                 row(8, "every triple", 900),
             ]);
         }
-        records.dummies.push(DummyRow {
+        records.own.dummies.push(DummyRow {
             sets: 100,
             right,
             ..DummyRow::default()

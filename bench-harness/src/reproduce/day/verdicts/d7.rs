@@ -1,11 +1,12 @@
 //! D-7: whether the whole takes time of the order of n log n.
 
 use super::{Outcome, Part, Verdict};
-use crate::reproduce::day::derived::{in_order, questions, times};
+use crate::reproduce::day::derived::{in_order, times};
+use crate::reproduce::day::laws::{Model, compare};
 use crate::reproduce::day::records::Records;
-use crate::reproduce::space::growth::{against_n, at_largest, exponent, range};
+use crate::reproduce::space::growth::{against_n, at_largest, exponent, questions, range};
 use crate::reproduce::verdict::{all_of, with_time};
-use crate::stats::models::{Law, Model, compare};
+use crate::stats::growth::Law;
 
 pub(super) fn judge(records: &Records) -> Verdict {
     let counted = in_order(records.counts.iter().map(|row| &row.distribution));
@@ -47,7 +48,7 @@ fn within(what: String, data: &[(f64, f64)]) -> Part {
     let what = format!("{what} O(n log n)");
     let models = compare(data);
     let left = models.iter().filter(|model| !model.ruled_out);
-    let faster: Vec<bool> = left.map(|model| model.law > Law::Linearithmic).collect();
+    let faster: Vec<bool> = left.map(|model| model.law > Law::NLogN).collect();
     let outcome = if faster.is_empty() {
         return Part::new(
             what,
@@ -71,19 +72,16 @@ fn within(what: String, data: &[(f64, f64)]) -> Part {
 
 /// A law, its errors, and whether it is ruled out.
 fn text(model: &Model) -> String {
-    let verdict = if model.factor <= 0.0 {
-        "negative factor, ruled out"
-    } else if model.ruled_out {
-        "ruled out"
-    } else {
-        "left"
+    let Some(fit) = model.fit else {
+        return format!("{}: no factor above zero fits, ruled out", model.law);
     };
     format!(
-        "{}: error {:.3} %, ahead {:.3} %, AICc +{:.0}, {verdict}",
-        model.law.name(),
-        100.0 * model.error,
+        "{}: error {:.3} %, ahead {:.3} %, AICc +{:.0}, {}",
+        model.law,
+        100.0 * fit.scatter,
         100.0 * model.ahead,
-        model.behind
+        model.behind,
+        if model.ruled_out { "ruled out" } else { "left" }
     )
 }
 
@@ -93,9 +91,10 @@ fn note(records: &Records, distribution: &str) -> Option<String> {
     let (n, asked) = at_largest(&data)?;
     let fitted = compare(&data)
         .into_iter()
-        .find(|model| model.law == Law::Linearithmic)
-        .map_or_else(String::new, |model| {
-            format!("; {:.3} n ln n {:+.2} n", model.factor, model.linear)
+        .find(|model| model.law == Law::NLogN)
+        .and_then(|model| model.fit)
+        .map_or_else(String::new, |fit| {
+            format!("; {:.3} n ln n {:+.2} n", fit.leading, fit.correction)
         });
     Some(format!(
         "{distribution}: exponent {exponent} (n log n looks like {:.3} there); {:.2} questions a point at n = {n}{fitted}",

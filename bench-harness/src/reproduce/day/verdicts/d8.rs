@@ -2,24 +2,24 @@
 
 use super::{Outcome, Part, Verdict, always, share, verdict};
 use crate::reproduce::day::derived::in_order;
-use crate::reproduce::day::experiments::battery::EXACT;
 use crate::reproduce::day::records::{BatteryRow, Records};
+use crate::reproduce::day::studies::battery::EXACT;
 use crate::stats::wilson;
 
 pub(super) fn judge(records: &Records) -> Verdict {
-    let formats = in_order(records.battery.iter().map(|row| &row.format));
+    let formats = in_order(records.own.battery.iter().map(|row| &row.format));
     let rounded = formats.iter().filter(|format| **format != EXACT);
     let mut parts: Vec<Part> = rounded.map(|format| suffers(records, format)).collect();
     parts.push(solved(records));
     parts.push(costs_nothing(records));
-    let names = in_order(records.battery.iter().map(|row| &row.what));
+    let names = in_order(records.own.battery.iter().map(|row| &row.what));
     let notes = names.into_iter().filter_map(|what| note(records, what));
     verdict("D-8", parts, notes.collect())
 }
 
 /// Right of all in `format`, among sets in general position or among degenerate ones.
 fn right(records: &Records, format: &str, of: impl Fn(&BatteryRow) -> bool) -> (usize, usize) {
-    let rows = records.battery.iter();
+    let rows = records.own.battery.iter();
     rows.filter(|row| row.format == format && of(row))
         .fold((0, 0), |(right, all), row| {
             (right + usize::from(row.outcome == "right"), all + 1)
@@ -71,7 +71,7 @@ fn solved(records: &Records) -> Part {
 fn costs_nothing(records: &Records) -> Part {
     let what = "in general position the perturbation asks nothing";
     let rows = || {
-        let rows = records.battery.iter();
+        let rows = records.own.battery.iter();
         rows.filter(|row| row.format == EXACT && row.what.is_empty())
     };
     let questions: u64 = rows().map(|row| row.questions).sum();
@@ -89,7 +89,7 @@ fn costs_nothing(records: &Records) -> Part {
 /// One kind of degeneracy in every format.
 fn note(records: &Records, what: &str) -> Option<String> {
     let kind = |row: &BatteryRow| row.what == what;
-    let formats = in_order(records.battery.iter().map(|row| &row.format));
+    let formats = in_order(records.own.battery.iter().map(|row| &row.format));
     let texts: Vec<String> = formats
         .iter()
         .map(|format| {
@@ -98,7 +98,7 @@ fn note(records: &Records, what: &str) -> Option<String> {
         })
         .collect();
     let rows = || {
-        let rows = records.battery.iter();
+        let rows = records.own.battery.iter();
         rows.filter(|row| row.format == EXACT && kind(row))
     };
     let questions: u64 = rows().map(|row| row.questions).sum();
@@ -135,7 +135,7 @@ mod tests {
                     vanished,
                     ..BatteryRow::default()
                 };
-                records.battery.extend([
+                records.own.battery.extend([
                     BatteryRow {
                         format: EXACT.to_owned(),
                         outcome: outcome(exact),

@@ -6,7 +6,7 @@ use crate::reproduce::day::records::{ListingRow, Records};
 use crate::stats::summary::mean;
 
 pub(super) fn judge(records: &Records) -> Verdict {
-    let rows = &records.listings;
+    let rows = &records.own.listings;
     let wrong =
         |is_wrong: &dyn Fn(&ListingRow) -> bool| rows.iter().filter(|row| is_wrong(row)).count();
     let part = |what: &str, wrong: usize| {
@@ -56,6 +56,7 @@ fn notes(rows: &[ListingRow]) -> Vec<String> {
 mod tests {
     use super::super::Outcome;
     use super::*;
+    use crate::reproduce::day::records::Studied;
 
     #[test]
     fn each_outcome_can_come_out() {
@@ -68,10 +69,10 @@ mod tests {
             };
             let mut listings = vec![row; sets];
             spoilt(&mut listings[0]);
-            judge(&Records {
+            judge(&Records::from(Studied {
                 listings,
-                ..Records::default()
-            })
+                ..Studied::default()
+            }))
             .outcome
         };
         assert_eq!(judged(100, |_| ()), Outcome::Confirmed);

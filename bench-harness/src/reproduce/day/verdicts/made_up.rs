@@ -1,9 +1,9 @@
 //! Records made up for the tests of the judges.
 
-use crate::reproduce::day::experiments::METHOD;
-use crate::reproduce::day::experiments::times::PARALLEL;
 use crate::reproduce::day::records::{ControlRow, MergeRow, PrecisionRow, Records};
-use crate::reproduce::space::rows::{CountRow, TimeRow};
+use crate::reproduce::day::studies::METHOD;
+use crate::reproduce::day::studies::PARALLEL;
+use crate::reproduce::rows::{CountRow, TimeRow};
 
 /// Sizes of the made-up sets.
 const SIZES: [usize; 8] = [66, 130, 258, 514, 1_026, 2_050, 4_098, 8_194];
@@ -17,7 +17,7 @@ pub(super) fn merges(
 ) {
     for distribution in distributions {
         for n in SIZES {
-            records.merges.push(MergeRow {
+            records.own.merges.push(MergeRow {
                 distribution: (*distribution).to_owned(),
                 n,
                 variant: variant.to_owned(),
@@ -84,7 +84,7 @@ pub(super) fn precision(records: &mut Records, halves: [f64; 3], control: usize)
             let share = 1.0 / (1.0 + (4.0 * (x - half)).exp()) / (1.0 + (4.0 * (2.0 - x)).exp());
             let right = (100.0 * share).round() as usize;
             let rest = 100 - right;
-            records.precision.push(PrecisionRow {
+            records.own.precision.push(PrecisionRow {
                 distribution: "cube".to_owned(),
                 n: 100,
                 range: 1.0,
@@ -99,7 +99,7 @@ pub(super) fn precision(records: &mut Records, halves: [f64; 3], control: usize)
                 ..PrecisionRow::default()
             });
         }
-        records.controls.push(ControlRow {
+        records.own.controls.push(ControlRow {
             distribution: "cube".to_owned(),
             n: 100,
             range: 1.0,

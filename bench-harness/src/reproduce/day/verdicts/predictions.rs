@@ -2,17 +2,10 @@
 
 use super::d3::questions_a_facet;
 use crate::reproduce::day::derived::{WORST, largest, line_of_bits};
-use crate::reproduce::day::published::Published;
 use crate::reproduce::day::records::Records;
-use crate::reproduce::prediction::{self, Checked};
 
-/// Every prediction, checked.
-pub(crate) fn check<'a>(records: &Records, published: &'a Published) -> Vec<Checked<'a>> {
-    prediction::check(&published.predictions, |id| measure(id, records))
-}
-
-/// The value of the prediction's measure.
-fn measure(id: &str, records: &Records) -> Option<f64> {
+/// The value of what the prediction called `id` is about.
+pub(crate) fn measure(id: &str, records: &Records) -> Option<f64> {
     let [turned_fan, _, cone] = WORST;
     let over_power = |distribution, variant, power| {
         let (n, asked) = largest(records, distribution, variant, |row| {
@@ -41,6 +34,7 @@ fn rescanned_over_resumed(records: &Records, distribution: &str) -> Option<f64> 
         row.top_candidates as f64
     })?;
     let same_n: Vec<f64> = records
+        .own
         .merges
         .iter()
         .filter(|row| row.distribution == distribution && row.variant == "resumed")
@@ -54,7 +48,9 @@ fn rescanned_over_resumed(records: &Records, distribution: &str) -> Option<f64> 
 mod tests {
     use super::super::made_up;
     use super::*;
+    use crate::reproduce::day::Day;
     use crate::reproduce::day::records::MergeRow;
+    use crate::reproduce::paper::checks;
 
     #[test]
     fn every_prediction_has_a_measure() {
@@ -68,24 +64,9 @@ mod tests {
             });
         }
         made_up::precision(&mut records, [6.5, 13.5, 18.5], 100);
-        let published = Published::load().expect("valid");
-        for checked in check(&records, &published) {
-            assert!(checked.measured.is_some(), "{}", checked.prediction.id);
-        }
-        let held = |id: &str| {
-            let checked = check(&records, &published);
-            let found = checked
-                .into_iter()
-                .find(|checked| checked.prediction.id == id);
-            found.expect("known").held()
-        };
-        assert_eq!(held("fan-resumed"), Some(true));
-        assert_eq!(held("cone-resumed"), Some(false));
-        let none = Records::default();
-        assert!(
-            check(&none, &published)
-                .iter()
-                .all(|checked| checked.measured.is_none())
-        );
+        let checked = checks::predictions::<Day>(&records);
+        assert!(checked.values().all(Option::is_some), "{checked:?}");
+        assert_eq!(checked["fan-resumed"], Some(true));
+        assert_eq!(checked["cone-resumed"], Some(false));
     }
 }

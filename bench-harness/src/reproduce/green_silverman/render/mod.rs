@@ -2,9 +2,7 @@
 //!
 //! Nothing here runs an algorithm on a clock; the pictures of Figures 1 and 2 are peeled anew.
 
-pub(crate) mod claims;
 pub(crate) mod growth;
-pub(crate) mod index;
 pub(crate) mod peeling;
 pub(crate) mod peels;
 pub(crate) mod table1;

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 /// The peelings of each cell.
 fn cells(records: &Records) -> BTreeMap<(&str, usize), Vec<&PeelRow>> {
     let mut cells: BTreeMap<(&str, usize), Vec<&PeelRow>> = BTreeMap::new();
-    for row in &records.peels {
+    for row in &records.own.peels {
         cells
             .entry((&row.distribution, row.n))
             .or_default()

@@ -1,13 +1,13 @@
 //! Figures 1 and 2: the convex hull peels of 100 random points and of an oblique lattice.
 
 use crate::reproduce::green_silverman::definition::RandomData;
-use crate::reproduce::green_silverman::experiments::layers_method;
-use crate::reproduce::green_silverman::sets::PointSet;
+use crate::reproduce::green_silverman::studies::layers_method;
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::plot::{
     Entry, LEGEND, PALETTE, Stroke, drawing, legend, number as tick,
 };
 use crate::reproduce::render::sheet::Sheet;
+use crate::reproduce::sets::PointSet2;
 use anyhow::{Result, ensure};
 use geometry_core::{Boundary, Layers, Points};
 use plotters::prelude::*;
@@ -24,7 +24,7 @@ pub(crate) struct Figure<'a> {
 
 /// Writes the figure's SVG and CSV.
 pub(crate) fn write(folder: &Folder, seed: u64, figure: Figure<'_>) -> Result<()> {
-    let set = PointSet::generate(seed, &figure.data.distribution, figure.data.n, 0)?;
+    let set = PointSet2::generate(seed, &figure.data.distribution, figure.data.n, 0)?;
     let layers = (layers_method("gs-peel")?.exact)(Points::new(&set.points)?, Boundary::All)?;
     let proof = hull_verify::check::layers(&set.points, Boundary::All, &layers);
     ensure!(

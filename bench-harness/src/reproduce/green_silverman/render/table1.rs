@@ -32,7 +32,7 @@ type Groups<'a> = BTreeMap<(String, Option<u32>, String), Vec<&'a ToleranceRow>>
 /// Writes `table1.md` and `table1.csv`.
 pub(crate) fn write(folder: &Folder, records: &Records, published: &Published) -> Result<()> {
     let mut groups = Groups::new();
-    for row in &records.tolerance {
+    for row in &records.own.tolerance {
         groups
             .entry((row.data.clone(), row.decimals, row.format.clone()))
             .or_default()
@@ -184,7 +184,7 @@ fn long(groups: &Groups<'_>) -> Sheet {
 /// What exact answers give.
 fn control(records: &Records) -> String {
     let mut sheet = Sheet::new(&["lattice", "convention", "method", "rings", "certified"]);
-    for row in &records.rings {
+    for row in &records.own.rings {
         sheet.push(vec![
             row.distribution.clone(),
             row.boundary.clone(),
@@ -203,6 +203,7 @@ fn control(records: &Records) -> String {
         .filter(|row| row.stage == "tolerance")
         .count();
     let turned = records
+        .own
         .tolerance
         .iter()
         .filter(|row| {

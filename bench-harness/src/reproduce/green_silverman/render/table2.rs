@@ -1,13 +1,13 @@
 //! Table 2: vertices, questions and times of the seven methods and their kin.
 
-use crate::reproduce::green_silverman::derived::{
-    Cell, a_point, count_ratio, median_time, sizes, time_ratio, timed_cells,
-};
-use crate::reproduce::green_silverman::experiments::times::TWIN;
+use crate::reproduce::green_silverman::derived::TWIN;
+use crate::reproduce::green_silverman::derived::{Cell, a_point, count_ratio, sizes};
 use crate::reproduce::green_silverman::published::{KIN, METHODS, Published};
-use crate::reproduce::green_silverman::records::{CountRow, Records};
+use crate::reproduce::green_silverman::records::Records;
+use crate::reproduce::ratio::{median_time, time_ratio, timed_cells};
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::sheet::{Sheet, duration, fixed};
+use crate::reproduce::rows::CountRow;
 use crate::reproduce::theory::hull_size::expected;
 use crate::stats::kendall;
 use anyhow::Result;
@@ -43,9 +43,9 @@ pub(crate) fn write(folder: &Folder, records: &Records, published: &Published) -
         "questions_a_point",
         "questions_ratio",
     ]);
-    for (distribution, n) in timed_cells(records) {
+    for (distribution, n) in timed_cells(&records.times) {
         let cell = (distribution.as_str(), n);
-        if median_time(records, cell, "graham").is_none() {
+        if median_time(&records.times, cell, "graham").is_none() {
             continue; // a cell of Figure 7
         }
         body += &format!(
@@ -141,10 +141,10 @@ fn section(records: &Records, published: &Published, cell: Cell<'_>) -> Sheet {
             ]);
             continue;
         }
-        let Some(median) = median_time(records, cell, slug) else {
+        let Some(median) = median_time(&records.times, cell, slug) else {
             continue;
         };
-        let ratio = time_ratio(records, cell, slug, "gs");
+        let ratio = time_ratio(&records.times, cell, slug, "gs");
         let interval = ratio.as_ref().map(|ratio| ratio.interval(0.95));
         sheet.push(vec![
             letter.to_owned(),
@@ -187,7 +187,7 @@ fn orders(records: &Records, published: &Published, cell: Cell<'_>) -> String {
         Some((values, text))
     };
     let printed = order(&|slug| published.table2(cell.0, cell.1, slug));
-    let time = order(&|slug| median_time(records, cell, slug));
+    let time = order(&|slug| median_time(&records.times, cell, slug));
     let questions = order(&|slug| a_point(records, cell, slug, |row| row.questions()));
     let mut text = String::new();
     if let Some((_, order)) = &printed {
@@ -210,10 +210,10 @@ fn orders(records: &Records, published: &Published, cell: Cell<'_>) -> String {
 
 fn long(sheet: &mut Sheet, records: &Records, published: &Published, cell: Cell<'_>) {
     for (slug, _) in rows() {
-        let Some(median) = median_time(records, cell, slug) else {
+        let Some(median) = median_time(&records.times, cell, slug) else {
             continue;
         };
-        let ratio = time_ratio(records, cell, slug, "gs");
+        let ratio = time_ratio(&records.times, cell, slug, "gs");
         let interval = ratio.as_ref().map(|ratio| ratio.interval(0.95));
         sheet.push(vec![
             cell.0.to_owned(),

@@ -1,12 +1,12 @@
 //! GS-1: method GS is the fastest of the seven in every cell of Table 2.
 
 use super::{Outcome, Part, Verdict, all_of, ratio_text, with_time};
-use crate::reproduce::green_silverman::derived::{
-    count_ratio, time_ratio, timed_cells, timed_methods,
-};
-use crate::reproduce::green_silverman::experiments::times::TWIN;
+use crate::reproduce::green_silverman::derived::TWIN;
+use crate::reproduce::green_silverman::derived::count_ratio;
 use crate::reproduce::green_silverman::published::{METHODS, Published, cells};
-use crate::reproduce::green_silverman::records::{CountRow, Records};
+use crate::reproduce::green_silverman::records::Records;
+use crate::reproduce::ratio::{time_ratio, timed_cells, timed_methods};
+use crate::reproduce::rows::CountRow;
 use crate::stats::holm;
 
 /// The chance of any false "slower" or "faster" among all comparisons.
@@ -47,7 +47,7 @@ fn comparisons() -> impl Iterator<Item = (&'static str, usize, &'static str)> {
 fn by_time(records: &Records) -> Part {
     let what = "time: each of the other six takes longer in each of the six cells";
     let ratios: Option<Vec<_>> = comparisons()
-        .map(|(distribution, n, rival)| time_ratio(records, (distribution, n), rival, "gs"))
+        .map(|(distribution, n, rival)| time_ratio(&records.times, (distribution, n), rival, "gs"))
         .collect();
     let Some(ratios) = ratios else {
         return Part::new(
@@ -163,16 +163,16 @@ fn by_areas(records: &Records) -> Option<String> {
 fn beyond(records: &Records) -> Vec<String> {
     let mut notes = Vec::new();
     let mut widest = (0.0_f64, 0.0_f64);
-    for (distribution, n) in timed_cells(records) {
+    for (distribution, n) in timed_cells(&records.times) {
         let cell = (distribution.as_str(), n);
-        if let Some(twin) = time_ratio(records, cell, TWIN, "gs") {
+        if let Some(twin) = time_ratio(&records.times, cell, TWIN, "gs") {
             widest = (widest.0.min(twin.median), widest.1.max(twin.median));
         }
-        for method in timed_methods(records, cell)
+        for method in timed_methods(&records.times, cell)
             .iter()
             .filter(|method| *method != "gs" && *method != "gs-bare")
         {
-            let Some(ratio) = time_ratio(records, cell, method, "gs") else {
+            let Some(ratio) = time_ratio(&records.times, cell, method, "gs") else {
                 continue;
             };
             let interval = ratio.interval(0.95);

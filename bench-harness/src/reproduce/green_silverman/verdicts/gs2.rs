@@ -100,7 +100,7 @@ fn flagged(records: &Records, published: &Published) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reproduce::green_silverman::records::SizeRow;
+    use crate::reproduce::rows::SizeRow;
 
     /// Two kinds of hulls, `spread` below and above the expectation plus `shift`.
     fn records(spread: f64, shift: f64) -> Records {

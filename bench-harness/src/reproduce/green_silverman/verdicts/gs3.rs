@@ -151,7 +151,7 @@ pub(super) fn circle_line(records: &Records) -> Option<Line> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reproduce::green_silverman::records::{CountRow, TimeRow};
+    use crate::reproduce::rows::{CountRow, TimeRow};
 
     /// Counts a point `constant + slope ln n` with a fixed wobble, times as n to the `exponent`.
     fn verdict(slope: f64, wobble: f64, exponent: f64) -> Outcome {

@@ -1,9 +1,11 @@
 //! GS-4: GS is faster than Eddy's method, the more so for small sets.
 
 use super::{Outcome, Part, Verdict, all_of, ratio_text, with_time};
-use crate::reproduce::green_silverman::derived::{count_ratio, time_ratio};
+use crate::reproduce::green_silverman::derived::count_ratio;
 use crate::reproduce::green_silverman::published::{DISTRIBUTIONS, Published, SIZES, cells};
-use crate::reproduce::green_silverman::records::{CountRow, Records};
+use crate::reproduce::green_silverman::records::Records;
+use crate::reproduce::ratio::time_ratio;
+use crate::reproduce::rows::CountRow;
 use crate::stats::bootstrap::Bootstrapped;
 use crate::stats::holm;
 
@@ -41,7 +43,7 @@ pub(super) fn judge(records: &Records, published: &Published) -> Verdict {
 fn slower_in_time(records: &Records) -> Part {
     let what = "time: E takes longer than GS in each of the six cells";
     let ratios: Option<Vec<Bootstrapped>> = cells()
-        .map(|cell| time_ratio(records, cell, "eddy", "gs"))
+        .map(|cell| time_ratio(&records.times, cell, "eddy", "gs"))
         .collect();
     let Some(ratios) = ratios else {
         return Part::new(what, Outcome::NotTestable, "not timed in every cell");
@@ -71,7 +73,7 @@ fn slower_in_time(records: &Records) -> Part {
 /// By how much ln(E/GS) falls from n = 100 to n = 1,000 on `distribution`.
 fn fall(records: &Records, distribution: &str) -> Option<Bootstrapped> {
     let [small, large] = SIZES;
-    let at = |n| time_ratio(records, (distribution, n), "eddy", "gs");
+    let at = |n| time_ratio(&records.times, (distribution, n), "eddy", "gs");
     Some(at(small)?.minus(&at(large)?))
 }
 

@@ -1,6 +1,6 @@
 //! GS-5: the limits of the tolerance in Table 1, and Eddy's method on the lattice.
 
-use super::{Outcome, Part, Verdict, all_of};
+use super::{Outcome, Part, Verdict, all_of, verdict};
 use crate::reproduce::green_silverman::published::{Published, Threshold};
 use crate::reproduce::green_silverman::records::{Records, ToleranceRow};
 use crate::stats::wilson;
@@ -26,12 +26,7 @@ pub(super) fn judge(records: &Records, published: &Published) -> Verdict {
     }
     parts.push(eddy(records));
     parts.push(control(records));
-    Verdict {
-        id: "GS-5",
-        outcome: all_of(parts.iter().map(|part| part.outcome)),
-        parts,
-        notes,
-    }
+    verdict("GS-5", parts, notes)
 }
 
 /// The sweeps over one kind of data in one format.
@@ -44,7 +39,7 @@ fn sweeps<'a>(
     let same = move |row: &&ToleranceRow| {
         row.data == data && row.format == format && row.decimals == decimals
     };
-    records.tolerance.iter().filter(same)
+    records.own.tolerance.iter().filter(same)
 }
 
 /// The least ε, as a power of ten, down to which everything from 0.1 on is wrong: where false collinearities
@@ -130,6 +125,7 @@ fn presentation_text((data, decimals): &Presentation) -> String {
 /// random data lie, with all digits.
 fn presentations(records: &Records) -> Vec<Presentation> {
     let lattices = records
+        .own
         .tolerance
         .iter()
         .filter(|row| row.data == "lattice" || row.data == "lattice-fitted");
@@ -215,6 +211,7 @@ fn lattice(records: &Records, row: &Threshold) -> (Part, Option<String>) {
 fn eddy(records: &Records) -> Part {
     let what = "Eddy's method does not give the lattice's hull, collinear points counted";
     let rows = records
+        .own
         .tolerance
         .iter()
         .filter(|row| row.data == "lattice-eddy");
@@ -232,11 +229,12 @@ fn eddy(records: &Records) -> Part {
 fn control(records: &Records) -> Part {
     let what = "control: with exact answers nothing fails and no tolerance is needed";
     let rings: Vec<_> = records
+        .own
         .rings
         .iter()
         .filter(|row| row.boundary == "all")
         .collect();
-    let sets = records.tolerance.len();
+    let sets = records.own.tolerance.len();
     if rings.is_empty() || sets == 0 {
         return Part::new(what, Outcome::NotTestable, "not run");
     }
@@ -280,7 +278,7 @@ mod tests {
         let mut records = Records::default();
         for replicate in 0..200 {
             let mut push = |data: &str, format: &str, decimals, outcomes: &str| {
-                records.tolerance.push(ToleranceRow {
+                records.own.tolerance.push(ToleranceRow {
                     data: data.to_owned(),
                     format: format.to_owned(),
                     decimals,
@@ -296,7 +294,7 @@ mod tests {
                 push("lattice-eddy", format, None, eddy);
             }
         }
-        records.rings.push(RingRow {
+        records.own.rings.push(RingRow {
             distribution: "lattice".into(),
             n: 100,
             boundary: "all".into(),
@@ -325,10 +323,10 @@ mod tests {
         let other_random = records(["wrrrrrrrrrrr", random[1]], as_printed, "", "wwwwwwwwwwww");
         assert_eq!(outcome(&other_random), Outcome::Refuted);
         let mut uncertified = confirmed.clone();
-        uncertified.rings[0].certified = false;
+        uncertified.own.rings[0].certified = false;
         assert_eq!(outcome(&uncertified), Outcome::Refuted);
         let mut few = confirmed;
-        few.tolerance.retain(|row| row.replicate < 2);
+        few.own.tolerance.retain(|row| row.replicate < 2);
         assert_eq!(outcome(&few), Outcome::NotDistinguishable);
     }
 }

@@ -1,10 +1,12 @@
 //! GS-6: being able to peel further costs a negligible amount.
 
 use super::{Outcome, Part, Verdict, all_of, ratio_text, with_time};
-use crate::reproduce::green_silverman::derived::{count_ratio, time_ratio};
-use crate::reproduce::green_silverman::experiments::times::TWIN;
+use crate::reproduce::green_silverman::derived::TWIN;
+use crate::reproduce::green_silverman::derived::count_ratio;
 use crate::reproduce::green_silverman::published::{Published, cells};
-use crate::reproduce::green_silverman::records::{CountRow, Records};
+use crate::reproduce::green_silverman::records::Records;
+use crate::reproduce::ratio::time_ratio;
+use crate::reproduce::rows::CountRow;
 use crate::stats::interval::{Place, equivalence};
 
 /// A negligible share of the time.
@@ -16,7 +18,7 @@ pub(super) fn judge(records: &Records, _: &Published) -> Verdict {
     let outcome = with_time(counts.outcome, all_of(time.iter().map(|part| part.outcome)));
     let notes = cells()
         .filter_map(|cell| {
-            let twin = time_ratio(records, cell, TWIN, "gs")?;
+            let twin = time_ratio(&records.times, cell, TWIN, "gs")?;
             let text = ratio_text(twin.median, twin.interval(0.90));
             Some(format!(
                 "{} {}: GS against itself {text}: what this machine can resolve",
@@ -37,7 +39,7 @@ fn by_time(records: &Records, cell: (&str, usize)) -> Part {
         "time, {} {}: with over without, within 2 % of 1",
         cell.0, cell.1
     );
-    let Some(ratio) = time_ratio(records, cell, "gs", "gs-bare") else {
+    let Some(ratio) = time_ratio(&records.times, cell, "gs", "gs-bare") else {
         return Part::new(what, Outcome::NotTestable, "not timed");
     };
     let interval = ratio.interval(0.90);

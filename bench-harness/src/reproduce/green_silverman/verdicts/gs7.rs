@@ -1,6 +1,6 @@
 //! GS-7: how large the stack of labels grows.
 
-use super::{Outcome, Part, Verdict, all_of};
+use super::{Outcome, Part, Verdict, verdict};
 use crate::reproduce::green_silverman::derived::range;
 use crate::reproduce::green_silverman::published::{DISTRIBUTIONS, Published};
 use crate::reproduce::green_silverman::records::{PeelRow, Records};
@@ -14,18 +14,12 @@ pub(super) fn judge(records: &Records, _: &Published) -> Verdict {
                 .map(|distribution| order(records, distribution)),
         )
         .collect();
-    let outcome = all_of(parts.iter().map(|part| part.outcome));
-    Verdict {
-        id: "GS-7",
-        outcome,
-        parts,
-        notes: circle(records).into_iter().collect(),
-    }
+    verdict("GS-7", parts, circle(records).into_iter().collect())
 }
 
 /// The rows whose stack was watched.
 fn watched(records: &Records) -> impl Iterator<Item = &PeelRow> {
-    records.peels.iter().filter(|row| row.storage > 0)
+    records.own.peels.iter().filter(|row| row.storage > 0)
 }
 
 fn bound(records: &Records) -> Part {
@@ -97,7 +91,7 @@ mod tests {
                 for replicate in 0..4 {
                     let factor = 1.0 + spread * (replicate as f64 - 1.5);
                     let storage = ((n as f64).powf(exponent) * factor) as u64;
-                    records.peels.push(PeelRow {
+                    records.own.peels.push(PeelRow {
                         distribution: distribution.to_owned(),
                         n,
                         replicate,

@@ -1,23 +1,18 @@
 //! GS-8: collinear points on the boundary count as vertices.
 
 use super::gs5::RINGS;
-use super::{Outcome, Part, Verdict, all_of};
+use super::{Outcome, Part, Verdict, verdict};
 use crate::reproduce::green_silverman::published::Published;
 use crate::reproduce::green_silverman::records::{Records, RingRow};
 
 pub(super) fn judge(records: &Records, _: &Published) -> Verdict {
     let parts = vec![with_all(records), with_corners(records)];
-    let outcome = all_of(parts.iter().map(|part| part.outcome));
-    Verdict {
-        id: "GS-8",
-        outcome,
-        parts,
-        notes: Vec::new(),
-    }
+    verdict("GS-8", parts, Vec::new())
 }
 
 fn rows<'a>(records: &'a Records, boundary: &'a str) -> Vec<&'a RingRow> {
     records
+        .own
         .rings
         .iter()
         .filter(|row| row.boundary == boundary)
@@ -66,6 +61,7 @@ fn of(hits: usize, all: usize) -> Outcome {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reproduce::green_silverman::records::Studied;
 
     fn verdict(all: &str, extreme: &str, certified: bool) -> Outcome {
         let row = |boundary: &str, rings: &str| RingRow {
@@ -76,10 +72,10 @@ mod tests {
             rings: rings.into(),
             certified,
         };
-        let records = Records {
+        let records = Records::from(Studied {
             rings: vec![row("all", all), row("extreme", extreme)],
-            ..Records::default()
-        };
+            ..Studied::default()
+        });
         judge(&records, &Published::load().expect("valid")).outcome
     }
 

@@ -1,6 +1,6 @@
 //! GS-9: what a complete peeling costs.
 
-use super::{Outcome, Part, Verdict, all_of};
+use super::{Outcome, Part, Verdict, verdict};
 use crate::reproduce::green_silverman::derived::{range, upper_decades};
 use crate::reproduce::green_silverman::published::Published;
 use crate::reproduce::green_silverman::records::{PeelRow, Records};
@@ -24,18 +24,13 @@ pub(super) fn judge(records: &Records, _: &Published) -> Verdict {
         }),
         exponent(records, "layers", 2.0 / 3.0, |row| row.layers as u64),
     ];
-    let outcome = all_of(parts.iter().map(|part| part.outcome));
-    Verdict {
-        id: "GS-9",
-        outcome,
-        parts,
-        notes: constants(records).into_iter().collect(),
-    }
+    verdict("GS-9", parts, constants(records).into_iter().collect())
 }
 
 fn exponent(records: &Records, what: &str, target: f64, quantity: fn(&PeelRow) -> u64) -> Part {
     let what = format!("disc: {what} grow as n to the {target:.3}");
     let rows = records
+        .own
         .peels
         .iter()
         .filter(|row| row.distribution == "disc");
@@ -66,6 +61,7 @@ fn exponent(records: &Records, what: &str, target: f64, quantity: fn(&PeelRow) -
 fn constants(records: &Records) -> Option<String> {
     let disc = || {
         records
+            .own
             .peels
             .iter()
             .filter(|row| row.distribution == "disc")
@@ -99,7 +95,7 @@ mod tests {
             for replicate in 0..4 {
                 let factor = 1.0 + spread * (replicate as f64 - 1.5);
                 let power = |exponent: f64| (10.0 * (n as f64).powf(exponent) * factor) as u64;
-                records.peels.push(PeelRow {
+                records.own.peels.push(PeelRow {
                     distribution: "disc".to_owned(),
                     n,
                     replicate,

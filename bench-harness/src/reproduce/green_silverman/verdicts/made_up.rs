@@ -1,7 +1,8 @@
 //! Records made up for the tests of the judges.
 
 use crate::reproduce::green_silverman::published::cells;
-use crate::reproduce::green_silverman::records::{CountRow, Records, TimeRow};
+use crate::reproduce::green_silverman::records::Records;
+use crate::reproduce::rows::{CountRow, TimeRow};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 

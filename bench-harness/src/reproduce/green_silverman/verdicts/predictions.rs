@@ -2,21 +2,14 @@
 
 use super::gs3::circle_line;
 use super::gs9::layers_constant;
-use crate::reproduce::green_silverman::derived::{
-    a_point, count_ratio, counts_against_n, median_time,
-};
-use crate::reproduce::green_silverman::published::Published;
-use crate::reproduce::green_silverman::records::{CountRow, PeelRow, Records};
-use crate::reproduce::prediction::{self, Checked};
+use crate::reproduce::green_silverman::derived::{a_point, count_ratio, counts_against_n};
+use crate::reproduce::green_silverman::records::{PeelRow, Records};
+use crate::reproduce::ratio::median_time;
+use crate::reproduce::rows::CountRow;
 use crate::stats::summary::mean;
 
-/// Every prediction, checked.
-pub(crate) fn check<'a>(records: &Records, published: &'a Published) -> Vec<Checked<'a>> {
-    prediction::check(&published.predictions, |id| measure(id, records))
-}
-
-/// The value of the prediction's measure.
-fn measure(id: &str, records: &Records) -> Option<f64> {
+/// The value of what the prediction called `id` is about.
+pub(crate) fn measure(id: &str, records: &Records) -> Option<f64> {
     match id {
         "jarvis-disc" => {
             Some(count_ratio(records, ("disc", 1_000), "jarvis-j1", "gs", areas)?.ratio())
@@ -41,6 +34,7 @@ fn measure(id: &str, records: &Records) -> Option<f64> {
         "layers-constant" => {
             let disc = || {
                 records
+                    .own
                     .peels
                     .iter()
                     .filter(|row| row.distribution == "disc")
@@ -57,7 +51,10 @@ fn measure(id: &str, records: &Records) -> Option<f64> {
                 .iter()
                 .filter(|row| row.distribution == "circle");
             let cell = ("circle", circle.map(|row| row.n).max()?);
-            Some(median_time(records, cell, "monotone-chain")? / median_time(records, cell, "gs")?)
+            Some(
+                median_time(&records.times, cell, "monotone-chain")?
+                    / median_time(&records.times, cell, "gs")?,
+            )
         }
         _ => None,
     }
@@ -88,29 +85,20 @@ fn evaluations_at_largest(records: &Records, distribution: &str) -> Option<f64> 
 mod tests {
     use super::super::made_up;
     use super::*;
+    use crate::reproduce::green_silverman::GreenSilverman;
+    use crate::reproduce::paper::checks;
 
     #[test]
     fn a_prediction_can_hold_and_can_fail() {
-        let published = Published::load().expect("valid");
         let check_with = |jarvis: f64| {
             let mut records = Records::default();
             let factor =
                 |method: &str, _: &str, _: usize| if method == "jarvis-j1" { jarvis } else { 1.0 };
             made_up::counts(&mut records, &["gs", "jarvis-j1"], factor);
-            let checked = check(&records, &published);
-            checked
-                .iter()
-                .find(|checked| checked.prediction.id == "jarvis-disc")
-                .expect("known")
-                .held()
+            checks::predictions::<GreenSilverman>(&records)["jarvis-disc"]
         };
         assert_eq!(check_with(9.0), Some(true));
         assert_eq!(check_with(50.0), Some(false));
-        assert!(
-            check(&Records::default(), &published)
-                .iter()
-                .all(|checked| checked.held().is_none())
-        );
     }
 
     #[test]
@@ -125,8 +113,8 @@ mod tests {
             "layers-constant",
             "circle-order",
         ];
-        for prediction in Published::load().expect("valid").predictions {
-            assert!(known.contains(&prediction.id.as_str()), "{}", prediction.id);
+        for id in checks::predictions::<GreenSilverman>(&Records::default()).keys() {
+            assert!(known.contains(&id.as_str()), "{id}");
         }
     }
 }

@@ -24,7 +24,7 @@ Sets whose first point is not on the hull of the flattened points, in percent, w
 
 /// Writes `epsilon.md`, a drawing, `epsilon.csv` and `starts.csv`.
 pub(crate) fn write(folder: &Folder, records: &Records) -> Result<()> {
-    let series = series(&records.epsilon);
+    let series = series(&records.own.epsilon);
     let title = "Wrong wraps with the paper's epsilon";
     let chart = Chart {
         title,
@@ -36,7 +36,7 @@ pub(crate) fn write(folder: &Folder, records: &Records) -> Result<()> {
     if let Some(svg) = draw(&chart)? {
         folder.svg("epsilon.svg", title, &svg)?;
     }
-    let (wraps, starts) = (wraps(&records.epsilon), starts(records));
+    let (wraps, starts) = (wraps(&records.own.epsilon), starts(records));
     let text = INTRODUCTION.to_owned() + &wraps.markdown() + STARTS + &starts.markdown();
     folder.markdown("epsilon.md", "The epsilon", &text)?;
     folder.csv("epsilon.csv", &wraps.csv())?;
@@ -124,7 +124,7 @@ fn starts(records: &Records) -> Sheet {
         "sets",
         "off the hull, %",
     ]);
-    for row in &records.starts {
+    for row in &records.own.starts {
         sheet.push(vec![
             row.distribution.clone(),
             row.n.to_string(),

@@ -1,6 +1,6 @@
 //! Figure 1: the Delaunay triangulation of 1,024 flattened, spherically distributed points, certified.
 
-use crate::reproduce::nathan::definition::Definition;
+use crate::reproduce::nathan::definition::Studies;
 use crate::reproduce::nathan::sets::generate_planar;
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::plot::{PALETTE, drawing};
@@ -12,9 +12,9 @@ use plotters::prelude::*;
 const SIDE: u32 = 720;
 
 /// Writes `delaunay.svg` and `delaunay.csv`.
-pub(crate) fn write(folder: &Folder, definition: &Definition) -> Result<()> {
-    let cell = &definition.figure1;
-    let points = generate_planar(definition.seed, &cell.distribution, cell.n, 0, 0.0)?;
+pub(crate) fn write(folder: &Folder, studies: &Studies) -> Result<()> {
+    let cell = &studies.figure1;
+    let points = generate_planar(studies.seed, &cell.distribution, cell.n, 0, 0.0)?;
     let triangulation = hullkit::delaunay(&points)?;
     let certificate = hull_verify::check::delaunay(&points, &triangulation)
         .map_err(|findings| anyhow!("Figure 1 is not certified: {} findings", findings.len()))?;

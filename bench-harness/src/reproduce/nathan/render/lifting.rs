@@ -26,7 +26,7 @@ heights do not lie in one plane. Integers, and eighths, are lifted exactly as lo
 
 /// Writes `lifting.md`, a drawing, `lifting.csv` and `grids.csv`.
 pub(crate) fn write(folder: &Folder, records: &Records) -> Result<()> {
-    let series = series(&records.lifting);
+    let series = series(&records.own.lifting);
     let title = "In-circle questions answered wrongly by computed heights";
     let chart = Chart {
         title,
@@ -38,7 +38,7 @@ pub(crate) fn write(folder: &Folder, records: &Records) -> Result<()> {
     if let Some(svg) = draw(&chart)? {
         folder.svg("lifting.svg", title, &svg)?;
     }
-    let (lifts, grids) = (lifts(&records.lifting), grids(records));
+    let (lifts, grids) = (lifts(&records.own.lifting), grids(records));
     let text = INTRODUCTION.to_owned() + &lifts.markdown() + GRIDS + &grids.markdown();
     folder.markdown("lifting.md", "Delaunay triangulations by lifting", &text)?;
     folder.csv("lifting.csv", &lifts.csv())?;
@@ -104,7 +104,7 @@ fn grids(records: &Records) -> Sheet {
         "wrong signs",
         "wrong, %",
     ]);
-    for row in &records.grids {
+    for row in &records.own.grids {
         sheet.push(vec![
             row.spacing.to_string(),
             row.offset.to_string(),

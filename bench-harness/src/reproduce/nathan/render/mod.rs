@@ -2,7 +2,6 @@
 
 pub(crate) mod epsilon;
 pub(crate) mod figure1;
-pub(crate) mod index;
 pub(crate) mod lifting;
 pub(crate) mod sizes;
 pub(crate) mod sweep;

@@ -1,8 +1,9 @@
 //! Average numbers of vertices of hulls in space, beside the exact expectations.
 
-use crate::reproduce::nathan::records::{Records, SizeRow};
+use crate::reproduce::nathan::records::Records;
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::sheet::Sheet;
+use crate::reproduce::rows::SizeRow;
 use crate::reproduce::theory::hull_size_in_space::expected;
 use anyhow::Result;
 use std::collections::BTreeMap;

@@ -26,7 +26,12 @@ pub(crate) fn write(folder: &Folder, block: &Sweep, records: &Records) -> Result
          corners at the start and at the end, certified.\n\n{PICTURE}\n",
         block.sides, block.by
     );
-    for row in records.sweep.iter().filter(|row| row.obstacle == "example") {
+    for row in records
+        .own
+        .sweep
+        .iter()
+        .filter(|row| row.obstacle == "example")
+    {
         let found = if row.missed == 0 { "found" } else { "missed" };
         text += &match row.steps {
             None => format!(
@@ -37,7 +42,12 @@ pub(crate) fn write(folder: &Folder, block: &Sweep, records: &Records) -> Result
         };
     }
     let mut sheet = Sheet::new(&["check", "obstacles met in truth", "missed", "missed, %"]);
-    for row in records.sweep.iter().filter(|row| row.obstacle == "random") {
+    for row in records
+        .own
+        .sweep
+        .iter()
+        .filter(|row| row.obstacle == "random")
+    {
         sheet.push(vec![
             row.steps
                 .map_or("hull".to_owned(), |steps| format!("{steps} steps")),

@@ -1,11 +1,11 @@
 //! Times: the own corners tested or skipped, and registered methods beside each other.
 
-use crate::reproduce::nathan::experiments::times::TWIN;
+use crate::records::rows::twin_of;
 use crate::reproduce::nathan::records::Records;
 use crate::reproduce::nathan::verdicts::CELL_MARGIN;
+use crate::reproduce::ratio::{median_time, time_ratio};
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::sheet::{Sheet, duration, fixed};
-use crate::reproduce::space::ratio::{median_time, time_ratio};
 use anyhow::Result;
 
 /// Writes `wrap-times.md` and `wrap-times.csv`.
@@ -41,7 +41,7 @@ pub(crate) fn write(folder: &Folder, records: &Records) -> Result<()> {
         }
     }
     let text = format!(
-        "Samples taken in turn, warm, on certified sets only; *{TWIN}* is the same program once more. *Tested* and \
+        "Samples taken in turn, warm, on certified sets only; *@twin* is the same program once more. *Tested* and \
          *skipped* are the two ways to treat a candidate's own corners: *printed* is the innermost loop in the paper's \
          arithmetic over all candidates of a wrap, *exact* the whole wrap with exact answers. A difference within \
          {:.0} % is none.\n\n{}",
@@ -75,12 +75,8 @@ fn names<'a>(records: &'a Records, cell: (&str, usize)) -> Vec<&'a str> {
     let mut names: Vec<&str> = rows.map(|row| row.method.as_str()).collect();
     names.sort_unstable();
     names.dedup();
-    let twinned = |name: &&str| {
-        names
-            .iter()
-            .any(|other| other.strip_suffix(TWIN) == Some(name))
-    };
-    let key = |name: &&str| !twinned(&name.strip_suffix(TWIN).unwrap_or(name));
+    let twinned = |name: &str| names.iter().any(|other| twin_of(other) == Some(name));
+    let key = |name: &&str| !twinned(twin_of(name).unwrap_or(name));
     let mut sorted = names.clone();
     sorted.sort_by_key(key);
     sorted

@@ -26,7 +26,7 @@ type Label<'a> = (&'a str, &'a str, &'a str);
 /// Writes `wraps.md`, a drawing and `wraps.csv`.
 pub(crate) fn write(folder: &Folder, records: &Records) -> Result<()> {
     let mut groups: BTreeMap<Key<'_>, Vec<&WrapRow>> = BTreeMap::new();
-    for row in &records.wraps {
+    for row in &records.own.wraps {
         let key = (
             row.distribution.as_str(),
             row.order.as_str(),

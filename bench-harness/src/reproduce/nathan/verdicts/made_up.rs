@@ -25,7 +25,7 @@ pub(super) fn wraps(
                     ..WrapRow::default()
                 };
                 finish(&mut row);
-                records.wraps.push(row);
+                records.own.wraps.push(row);
             }
         }
     }

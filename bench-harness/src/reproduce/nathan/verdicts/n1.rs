@@ -97,6 +97,7 @@ fn passes_inside_out(records: &Records) -> Option<String> {
 /// Most tests a facet over n, by pivoting.
 pub(super) fn pivot_share(records: &Records) -> Option<f64> {
     let rows = records
+        .own
         .wraps
         .iter()
         .filter(|row| row.variant == "pivot-wrap");

@@ -8,6 +8,7 @@ pub(super) fn judge(records: &Records) -> Verdict {
     let parts = ["furthest", "nearest"].map(|start| part(records, start));
     let mut notes = Vec::new();
     for row in records
+        .own
         .starts
         .iter()
         .filter(|row| row.start == "nearest" && row.off_hull > 0)
@@ -31,7 +32,7 @@ pub(super) fn judge(records: &Records) -> Verdict {
 
 /// Sets whose first point is off the hull, and sets.
 fn total(records: &Records, start: &str) -> (usize, usize) {
-    let rows = records.starts.iter().filter(|row| row.start == start);
+    let rows = records.own.starts.iter().filter(|row| row.start == start);
     rows.fold((0, 0), |(off, sets), row| {
         (off + row.off_hull, sets + row.sets)
     })
@@ -63,6 +64,7 @@ pub(crate) fn share(row: &StartRow) -> String {
 mod tests {
     use super::super::Outcome;
     use super::*;
+    use crate::reproduce::nathan::records::Studied;
 
     fn judged(furthest: usize, nearest: usize, sets: usize) -> Verdict {
         let row = |start: &str, off_hull| StartRow {
@@ -71,10 +73,10 @@ mod tests {
             off_hull,
             ..StartRow::default()
         };
-        judge(&Records {
+        judge(&Records::from(Studied {
             starts: vec![row("furthest", furthest), row("nearest", nearest)],
-            ..Records::default()
-        })
+            ..Studied::default()
+        }))
     }
 
     #[test]

@@ -41,13 +41,13 @@ fn of<'a>(
     arithmetic: &'a str,
     own_corners: &'a str,
 ) -> impl Iterator<Item = &'a EpsilonRow> {
-    let rows = records.epsilon.iter();
+    let rows = records.own.epsilon.iter();
     rows.filter(move |row| row.arithmetic == arithmetic && row.own_corners == own_corners)
 }
 
 fn names(records: &Records) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
-    for row in &records.epsilon {
+    for row in &records.own.epsilon {
         if !names.contains(&row.distribution) {
             names.push(row.distribution.clone());
         }
@@ -114,6 +114,7 @@ fn scaled(records: &Records) -> Part {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reproduce::nathan::records::Studied;
 
     fn judged(near: usize, far: usize, exact: usize, sets: usize) -> Verdict {
         let row = |arithmetic: &str, offset, wrong| EpsilonRow {
@@ -125,14 +126,14 @@ mod tests {
             wrong,
             ..EpsilonRow::default()
         };
-        judge(&Records {
+        judge(&Records::from(Studied {
             epsilon: vec![
                 row("epsilon", 0.0, near),
                 row("epsilon", 1e8, far),
                 row("exact", 0.0, exact),
             ],
-            ..Records::default()
-        })
+            ..Studied::default()
+        }))
     }
 
     #[test]

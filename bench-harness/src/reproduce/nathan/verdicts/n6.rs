@@ -1,9 +1,10 @@
 //! N-6: it is faster to test a triangle's own corners than to skip them by their indices.
 
 use super::{Outcome, Part, Verdict, verdict};
-use crate::reproduce::nathan::experiments::times::{TWIN, arm};
 use crate::reproduce::nathan::records::Records;
-use crate::reproduce::space::ratio::time_ratio;
+use crate::reproduce::nathan::studies::corners::arm;
+use crate::reproduce::ratio::time_ratio;
+use crate::reproduce::recorded::twin;
 use crate::reproduce::verdict::ratio_text;
 use crate::stats::interval::{Place, equivalence};
 use gift_wrap::nathan::OwnCorners;
@@ -64,19 +65,19 @@ fn with_exact_answers(records: &Records, cell: (&str, usize)) -> Option<String> 
 
 fn itself(records: &Records, cell: (&str, usize)) -> Option<String> {
     let tested = arm("printed", OwnCorners::Tested);
-    let twin = time_ratio(&records.times, cell, &format!("{tested}{TWIN}"), &tested)?;
+    let itself = time_ratio(&records.times, cell, &twin(&tested), &tested)?;
     Some(format!(
         "{} {}: testing against itself {}: what this machine can resolve",
         cell.0,
         cell.1,
-        ratio_text(twin.median, twin.interval(0.90))
+        ratio_text(itself.median, itself.interval(0.90))
     ))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reproduce::space::rows::TimeRow;
+    use crate::reproduce::rows::TimeRow;
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
 

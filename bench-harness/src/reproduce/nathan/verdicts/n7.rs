@@ -26,8 +26,8 @@ pub(super) fn judge(records: &Records) -> Verdict {
             |row| row.rounded_right,
         ),
     ];
-    let mut notes: Vec<String> = records.lifting.iter().filter_map(signs).collect();
-    notes.extend(records.grids.iter().map(|row| {
+    let mut notes: Vec<String> = records.own.lifting.iter().filter_map(signs).collect();
+    notes.extend(records.own.grids.iter().map(|row| {
         format!(
             "a grid of spacing {} from {}: of {} cells with cocircular corners {} have lifts out of one plane ({:.1} %)",
             row.spacing,
@@ -46,7 +46,7 @@ fn part(
     keep: impl Fn(&&LiftRow) -> bool,
     right: fn(&LiftRow) -> usize,
 ) -> Part {
-    let rows = || records.lifting.iter().filter(&keep);
+    let rows = || records.own.lifting.iter().filter(&keep);
     let sets: usize = rows().map(|row| row.sets).sum();
     let right: usize = rows().map(right).sum();
     let outcome = match always(sets - right, sets) {
@@ -86,6 +86,7 @@ pub(crate) fn share_of_wrong_signs(row: &LiftRow) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reproduce::nathan::records::Studied;
 
     fn judged(exact_right: usize, near: usize, far: usize, quadruples: u64) -> Verdict {
         let row = |offset, rounded_right| LiftRow {
@@ -96,10 +97,10 @@ mod tests {
             quadruples,
             ..LiftRow::default()
         };
-        judge(&Records {
+        judge(&Records::from(Studied {
             lifting: vec![row(0.0, near), row(1e7, far)],
-            ..Records::default()
-        })
+            ..Studied::default()
+        }))
     }
 
     #[test]

@@ -10,7 +10,11 @@ pub(super) fn judge(records: &Records) -> Verdict {
 }
 
 fn rows(records: &Records) -> impl Iterator<Item = &SweepRow> {
-    records.sweep.iter().filter(|row| row.obstacle == "random")
+    records
+        .own
+        .sweep
+        .iter()
+        .filter(|row| row.obstacle == "random")
 }
 
 fn by_hull<'a>(rows: impl Iterator<Item = &'a SweepRow>) -> Part {
@@ -46,6 +50,7 @@ fn by_steps(rows: &[&SweepRow]) -> Part {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reproduce::nathan::records::Studied;
 
     fn outcome(hull: usize, steps: usize, obstacles: usize) -> Outcome {
         let row = |steps, missed| SweepRow {
@@ -54,10 +59,10 @@ mod tests {
             obstacles,
             missed,
         };
-        judge(&Records {
+        judge(&Records::from(Studied {
             sweep: vec![row(None, hull), row(Some(10), steps)],
-            ..Records::default()
-        })
+            ..Studied::default()
+        }))
         .outcome
     }
 

@@ -2,17 +2,10 @@
 
 pub(crate) use super::n7::share_of_wrong_signs;
 use super::{n1, n2, n3};
-use crate::reproduce::nathan::published::Published;
 use crate::reproduce::nathan::records::{LiftRow, Records};
-use crate::reproduce::prediction::{self, Checked};
 
-/// Every prediction, checked.
-pub(crate) fn check<'a>(records: &Records, published: &'a Published) -> Vec<Checked<'a>> {
-    prediction::check(&published.predictions, |id| measure(id, records))
-}
-
-/// The value of the prediction's measure.
-fn measure(id: &str, records: &Records) -> Option<f64> {
+/// The value of what the prediction called `id` is about.
+pub(crate) fn measure(id: &str, records: &Records) -> Option<f64> {
     match id {
         "slope-sphere" => n1::slope(records, "sphere"),
         "slope-ball" => n1::slope(records, "ball"),
@@ -33,18 +26,20 @@ fn wrong_signs(records: &Records, n: usize, offset: f64) -> Option<f64> {
     let is_cell = |row: &&LiftRow| {
         row.distribution == "square" && row.n == n && row.offset.total_cmp(&offset).is_eq()
     };
-    share_of_wrong_signs(records.lifting.iter().find(is_cell)?)
+    share_of_wrong_signs(records.own.lifting.iter().find(is_cell)?)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reproduce::nathan::Nathan;
+    use crate::reproduce::paper::checks;
 
     #[test]
     fn every_prediction_has_a_measure() {
         let mut records = Records::default();
         for (n, offset) in [(10_000, 1e5), (10_000, 1e6), (10_000, 1e7), (1_000, 1e6)] {
-            records.lifting.push(LiftRow {
+            records.own.lifting.push(LiftRow {
                 distribution: "square".to_owned(),
                 n,
                 offset,
@@ -61,10 +56,7 @@ mod tests {
                 row.mark_comparisons = 7;
             });
         }
-        let published = Published::load().expect("valid");
-        assert!(!published.predictions.is_empty());
-        for checked in check(&records, &published) {
-            assert!(checked.measured.is_some(), "{}", checked.prediction.id);
-        }
+        let checked = checks::predictions::<Nathan>(&records);
+        assert!(checked.values().all(Option::is_some), "{checked:?}");
     }
 }
