@@ -9,7 +9,8 @@
 //! cell, as when a few lie far away, the points of the cell are sorted again in a grid of their own.
 
 use super::hilbert::Grid;
-use geometry_core::Points;
+use super::line::Line;
+use geometry_core::{Point3, Points};
 
 /// The fewest points of all rounds but the last to come; below it there is one round.
 const FIRST_ROUND: u32 = 32;
@@ -115,17 +116,16 @@ impl Sorter<'_> {
         let room = (u64::BITS - ROUND_BITS - self.index_bits) / 3;
         let levels = wanted.min(room - room % 2);
         let grid = Grid::over(ids.iter().map(|&id| self.points[id]), levels);
-        self.keys.clear();
-        self.keys.extend(ids.iter().map(|&id| {
-            let cell = (round(id) << grid.bits()) | grid.place(self.points[id]);
-            (cell << self.index_bits) | u64::from(id)
-        }));
-        radix_sort(
-            &mut self.keys,
-            &mut self.spare,
-            self.index_bits,
-            grid.bits() + ROUND_BITS,
+        let line = Line::along(
+            ids.len(),
+            |i| self.points[ids[i]],
+            grid,
+            grid.bits().min(30),
         );
+        match line {
+            Some(line) => self.sort_keys(ids, round, line.bits(), |p| line.place(p)),
+            None => self.sort_keys(ids, round, grid.bits(), |p| grid.place(p)),
+        }
         let mask = (1 << self.index_bits) - 1;
         for (id, key) in ids.iter_mut().zip(&self.keys) {
             *id = (key & mask) as u32;
@@ -141,5 +141,26 @@ impl Sorter<'_> {
             }
             start = end;
         }
+    }
+
+    /// Puts the words of `ids` in order, with `bits` for the place of a point.
+    fn sort_keys(
+        &mut self,
+        ids: &[u32],
+        round: impl Fn(u32) -> u64,
+        bits: u32,
+        place: impl Fn(Point3) -> u64,
+    ) {
+        self.keys.clear();
+        self.keys.extend(ids.iter().map(|&id| {
+            let cell = (round(id) << bits) | place(self.points[id]);
+            (cell << self.index_bits) | u64::from(id)
+        }));
+        radix_sort(
+            &mut self.keys,
+            &mut self.spare,
+            self.index_bits,
+            bits + ROUND_BITS,
+        );
     }
 }
