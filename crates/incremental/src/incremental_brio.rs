@@ -15,7 +15,8 @@
 //!    it does not see, cross a side beyond which the point is, as seen from the *eye*, the first corner. If there is none,
 //!    the facet covers the point, which is then in the hull.
 //! 3. From the facet that it sees, search for all that it sees, and replace them by the cone over their rim.
-//! 4. At the end merge coplanar triangles, and call the points by their indices.
+//! 4. At the end merge coplanar triangles, and call the points by their indices. Where no point was in the plane of a
+//!    facet on the way, only triangles of one cone can be coplanar (`noting`).
 //!
 //! ```text
 //!     .-----.-----.            eye at the back, facets in front: the point is to the right
@@ -51,6 +52,7 @@
 
 mod hilbert;
 mod line;
+mod noting;
 mod region;
 mod rounds;
 mod walk;
@@ -58,6 +60,7 @@ mod walk;
 use geometry_core::dimension::AffineBasis;
 use geometry_core::mesh::{TriMesh, TriangleId};
 use geometry_core::{Hull3, HullError, Kernel3, Observer, Perturbed, Point3, Points, Step};
+use noting::Noting;
 use region::Region;
 use walk::Place;
 
@@ -74,12 +77,12 @@ pub const DEPARTURES: &[&str] = &[
 ///
 /// # Errors
 ///
-/// [`HullError::Contradiction`] if a walk goes in circles, or what a point sees is not one region; cannot happen with an
-/// exact kernel.
+/// [`HullError::Contradiction`] if four points that span space are not four, a walk goes in circles, or what a point
+/// sees is not one region; cannot happen with an exact kernel.
 ///
 /// # Cost
 ///
-/// Expected O(n log n) time for points along a surface, of which the sort has the logarithm: about sixteen orientations a
+/// Expected O(n log n) time for points along a surface, of which the sort has the logarithm: about fifteen orientations a
 /// point. Space: O(n), on a sphere about 120 bytes a point with the result.
 ///
 /// # Example
@@ -104,10 +107,13 @@ pub fn incremental_brio<K: Kernel3, O: Observer>(
         Ok(flat) => return Ok(flat),
         Err(simplex) => simplex,
     };
-    let names = rounds::order(points, simplex);
+    let names = rounds::order(points, simplex).ok_or(HullError::Contradiction {
+        what: "four points that span space are not four",
+    })?;
     let moved: Vec<Point3> = names.iter().map(|&id| points[id]).collect();
     let moved = Points::new(&moved)?;
-    let mut surface = Surface::of_first_four(moved, names, Perturbed(kernel), observer);
+    let kernel = Noting::new(kernel);
+    let mut surface = Surface::of_first_four(moved, names, Perturbed(&kernel), observer);
     let mut region = Region::default();
     for p in moved.ids().skip(4) {
         match surface.locate(p)? {
@@ -117,7 +123,14 @@ pub fn incremental_brio<K: Kernel3, O: Observer>(
     }
     debug_assert!(surface.mesh.is_sound());
     let Surface { mesh, names, .. } = surface;
-    Ok(Hull3::from_renumbered_mesh(moved, &names, &mesh, kernel))
+    let edges = kernel.edges();
+    Ok(Hull3::from_renumbered_mesh(
+        moved,
+        &names,
+        &mesh,
+        edges,
+        kernel.kernel,
+    ))
 }
 
 /// The first corner of the first tetrahedron, from which all is seen (invariant 2).

@@ -20,16 +20,18 @@ const ROUND_BITS: u32 = 4;
 const POINTS_A_CELL: usize = 16;
 const FINEST: u32 = 10;
 
-/// The indices of all points in the order of insertion: `first`, then the others by rounds.
-pub(super) fn order(points: Points<'_, 3>, first: [u32; 4]) -> Vec<u32> {
+/// The indices of all points in the order of insertion: `first`, then the others by rounds; `None` if `first` names a point
+/// twice.
+pub(super) fn order(points: Points<'_, 3>, first: [u32; 4]) -> Option<Vec<u32>> {
     let mut order = Vec::with_capacity(points.len() + first.len());
     order.extend(first);
     order.extend(points.ids());
-    // From the greatest, so that an index to be removed is still in its place. A kernel that contradicts itself may have
-    // named one twice.
-    let mut removed = first.to_vec();
+    // From the greatest, so that an index to be removed is still in its place.
+    let mut removed = first;
     removed.sort_unstable();
-    removed.dedup();
+    if removed.windows(2).any(|pair| pair[0] == pair[1]) {
+        return None;
+    }
     for id in removed.into_iter().rev() {
         order.swap_remove(first.len() + id as usize);
     }
@@ -48,7 +50,7 @@ pub(super) fn order(points: Points<'_, 3>, first: [u32; 4]) -> Vec<u32> {
     while let Some((start, end)) = sorter.crowds.pop() {
         sorter.sort(&mut order[start..end], start, |_| 0);
     }
-    order
+    Some(order)
 }
 
 /// How many rounds from the last the point is in, were there no first: 0 with probability 3/4, 1 with 3/16, ...
