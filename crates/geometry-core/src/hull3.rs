@@ -64,7 +64,7 @@ impl Hull3 {
     ///
     /// One orientation an edge and O(f) time for f triangles; O(k log k) more for a facet of k triangles.
     pub fn from_mesh<K: Kernel3>(points: Points<'_, 3>, mesh: &TriMesh, kernel: &K) -> Self {
-        Self::from_mesh_of(points, |id| id, mesh, Edges::Unknown, kernel)
+        Self::from_mesh_of(points, None, mesh, Edges::Unknown, kernel)
     }
 
     /// [`from_mesh`](Self::from_mesh), not asking about edges of which enough is known.
@@ -74,7 +74,7 @@ impl Hull3 {
         edges: Edges,
         kernel: &K,
     ) -> Self {
-        Self::from_mesh_of(points, |id| id, mesh, edges, kernel)
+        Self::from_mesh_of(points, None, mesh, edges, kernel)
     }
 
     /// [`from_known_mesh`](Self::from_known_mesh) for a mesh whose corners are indices into `points` in some order of its own;
@@ -92,12 +92,12 @@ impl Hull3 {
         edges: Edges,
         kernel: &K,
     ) -> Self {
-        Self::from_mesh_of(points, |id| names[id as usize], mesh, edges, kernel)
+        Self::from_mesh_of(points, Some(names), mesh, edges, kernel)
     }
 
     fn from_mesh_of<K: Kernel3>(
         points: Points<'_, 3>,
-        name: impl Fn(u32) -> u32,
+        names: Option<&[u32]>,
         mesh: &TriMesh,
         edges: Edges,
         kernel: &K,
@@ -114,13 +114,19 @@ impl Hull3 {
             points.ids().collect()
         } else {
             let larger = larger.corners.iter().copied();
-            named(points, triangles().flatten().chain(larger), &name)
+            named(points, names, triangles().flatten().chain(larger))
         };
-        for corner in &mut larger.corners {
-            *corner = name(*corner);
-        }
-        let triangles = || triangles().map(|corners| corners.map(&name));
-        let facets = canonical::in_order(points.len(), triangles, larger);
+        let facets = match names {
+            None => canonical::in_order(points.len(), triangles, larger),
+            Some(names) => {
+                let name = |id: u32| names[id as usize];
+                for corner in &mut larger.corners {
+                    *corner = name(*corner);
+                }
+                let triangles = || triangles().map(|corners| corners.map(name));
+                canonical::in_order(points.len(), triangles, larger)
+            }
+        };
         Hull3::Solid(Solid { vertices, facets })
     }
 
@@ -266,17 +272,22 @@ impl Solid {
 /// The names of `corners`, ascending.
 fn named(
     points: Points<'_, 3>,
+    names: Option<&[u32]>,
     corners: impl Iterator<Item = u32>,
-    name: impl Fn(u32) -> u32,
 ) -> Vec<u32> {
-    // First by the numbers of the mesh, where neighbours are close.
-    let mut is_corner = vec![false; points.len()];
-    corners.for_each(|corner| is_corner[corner as usize] = true);
-    let mut names = Marks::default();
-    for (id, is_corner) in points.ids().zip(is_corner) {
-        if is_corner {
-            names.insert(name(id), points.len());
+    let mut named = Marks::default();
+    match names {
+        None => corners.for_each(|corner| named.insert(corner, points.len())),
+        Some(names) => {
+            // First by the numbers of the mesh, where neighbours are close.
+            let mut is_corner = vec![false; points.len()];
+            corners.for_each(|corner| is_corner[corner as usize] = true);
+            for (&name, is_corner) in names.iter().zip(is_corner) {
+                if is_corner {
+                    named.insert(name, points.len());
+                }
+            }
         }
     }
-    names.ascending()
+    named.ascending()
 }
