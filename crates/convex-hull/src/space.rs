@@ -7,6 +7,9 @@
 //! 1. A point of the sample that is extreme among all points is extreme in the sample.
 //! 2. Both methods are exact, so the choice changes the time and nothing else.
 //!
+//! In most sets of the first kind that is plain before the hull of the sample is known: some of its points lie in a
+//! tetrahedron of four others.
+//!
 //! The sample is every so-many-th point, so that the choice is the same on every machine. A set in a perverse order can
 //! mislead it, and then costs what the other method costs.
 
@@ -159,6 +162,22 @@ mod tests {
         ] {
             assert!(!is_mostly_extreme(set), "{set}");
         }
+    }
+
+    #[test]
+    fn no_point_of_a_sphere_is_deep_and_many_of_a_ball_are() {
+        let deep_in = |set: &str| {
+            let spec: point_sets::Spec = set.parse().expect("a set");
+            deep(&spec.generate3(LARGEST, 5).expect("points"))
+        };
+        for set in ["sphere", "paraboloid", "moment-curve"] {
+            assert_eq!(deep_in(set), 0, "{set}");
+        }
+        for set in ["ball", "cube", "normal3"] {
+            assert!(deep_in(set) >= DEEP, "{set}");
+        }
+        assert_eq!(deep(&[]), 0);
+        assert_eq!(deep(&[[1.0; 3]; 9]), 0);
     }
 
     #[test]
