@@ -7,11 +7,14 @@
 //! 1. A point of the sample that is extreme among all points is extreme in the sample.
 //! 2. Both methods are exact, so the choice changes the time and nothing else.
 //!
+//! In most sets of the first kind that is plain before the hull of the sample is known: some of its points lie in a
+//! tetrahedron of four others.
+//!
 //! The sample is every so-many-th point, so that the choice is the same on every machine. A set in a perverse order can
 //! mislead it, and then costs what the other method costs.
 
 use geometry_core::{
-    Exact, Hull3, HullError, Kernel3, Method, Observer, Points, Silent, spatial_task,
+    Basis, Exact, Hull3, HullError, Kernel3, Method, Observer, Point3, Points, Silent, spatial_task,
 };
 use incremental::incremental_brio;
 use quickhull::{fast_3d, fast_3d_parallel};
@@ -35,6 +38,12 @@ const EVERY: usize = 16;
 
 /// The largest sample.
 const LARGEST: usize = 200;
+
+/// With so many points of a sample deep inside, its hull need not be known: they are more than strays.
+const DEEP: usize = 3;
+
+/// A point is deep inside a tetrahedron if its weights are above this.
+const MARGIN: f64 = 1.0 / (1 << 20) as f64;
 
 /// The hull of `points`, by `incremental-brio` where at least four of five points of a sample are extreme, else by
 /// `fast-3d`.
@@ -60,13 +69,72 @@ pub(crate) fn hull_3d_parallel(points: &[[f64; 3]]) -> Result<Hull3, HullError> 
     }
 }
 
+/// How many of the points lie in a tetrahedron of four of them that are far apart: these are certainly not extreme, but
+/// for rounding.
+fn deep(sample: &[Point3]) -> usize {
+    let furthest = |measure: &dyn Fn(&Point3) -> f64| {
+        let further = |best: (f64, Point3), p: &Point3| {
+            let measure = measure(p);
+            if measure > best.0 {
+                (measure, *p)
+            } else {
+                best
+            }
+        };
+        sample.iter().fold((f64::NEG_INFINITY, [0.0; 3]), further).1
+    };
+    let a = furthest(&|p| p[0]);
+    let b = furthest(&|p| -p[0]);
+    let along = minus(b, a);
+    let c = furthest(&|p| {
+        let w = cross(along, minus(*p, a));
+        dot(w, w)
+    });
+    let normal = cross(along, minus(c, a));
+    let d = furthest(&|p| dot(normal, minus(*p, a)).abs());
+    // The inward normals of three faces at a, and of the one opposite.
+    let [u, v, w] = [b, c, d].map(|corner| minus(corner, a));
+    let volume = dot(cross(u, v), w);
+    let [of_u, of_v, of_w] = [cross(v, w), cross(w, u), cross(u, v)];
+    let least = MARGIN * volume;
+    let is_deep = |p: &&Point3| {
+        let p = minus(**p, a);
+        let weights = [of_u, of_v, of_w].map(|normal| dot(normal, p));
+        let rest = volume - weights[0] - weights[1] - weights[2];
+        // Divided by the volume, they are the weights of the four corners.
+        [weights[0], weights[1], weights[2], rest]
+            .iter()
+            .all(|&weight| (weight - least) * volume.signum() > 0.0)
+    };
+    sample.iter().filter(is_deep).count()
+}
+
 /// Whether at least four of five points of a sample are extreme in it.
 fn mostly_extreme<K: Kernel3>(points: Points<'_, 3>, kernel: &K) -> Result<bool, HullError> {
     let size = (points.len() / EVERY).min(LARGEST);
     let all = points.as_slice();
-    let sample: Vec<[f64; 3]> = (0..size).map(|i| all[i * all.len() / size]).collect();
+    let sample: Vec<Point3> = (0..size).map(|i| all[i * all.len() / size]).collect();
+    if kernel.basis() == Basis::Coordinates && deep(&sample) >= DEEP {
+        return Ok(false);
+    }
     let hull = incremental_brio(Points::new(&sample)?, kernel, &mut Silent)?;
     Ok(5 * hull.len() >= 4 * size)
+}
+
+fn minus(p: Point3, q: Point3) -> Point3 {
+    [p[0] - q[0], p[1] - q[1], p[2] - q[2]]
+}
+
+fn dot(u: Point3, v: Point3) -> f64 {
+    u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+}
+
+fn cross(u: Point3, v: Point3) -> Point3 {
+    [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ]
 }
 
 #[cfg(test)]
@@ -94,6 +162,22 @@ mod tests {
         ] {
             assert!(!is_mostly_extreme(set), "{set}");
         }
+    }
+
+    #[test]
+    fn no_point_of_a_sphere_is_deep_and_many_of_a_ball_are() {
+        let deep_in = |set: &str| {
+            let spec: point_sets::Spec = set.parse().expect("a set");
+            deep(&spec.generate3(LARGEST, 5).expect("points"))
+        };
+        for set in ["sphere", "paraboloid", "moment-curve"] {
+            assert_eq!(deep_in(set), 0, "{set}");
+        }
+        for set in ["ball", "cube", "normal3"] {
+            assert!(deep_in(set) >= DEEP, "{set}");
+        }
+        assert_eq!(deep(&[]), 0);
+        assert_eq!(deep(&[[1.0; 3]; 9]), 0);
     }
 
     #[test]

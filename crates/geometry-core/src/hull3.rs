@@ -2,14 +2,16 @@
 
 mod canonical;
 mod facets;
+mod marks;
 mod measure;
 
 pub use measure::Location;
 
 use crate::kernel::space::{Kernel3, lexicographic3};
-use crate::mesh::{TriMesh, TriangleId};
+use crate::mesh::TriMesh;
 use crate::points::Points;
 use facets::Loops;
+use marks::Marks;
 
 /// The convex hull of a point set in space.
 ///
@@ -36,9 +38,18 @@ pub enum Hull3 {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Solid {
     vertices: Vec<u32>,
-    /// Facet i is `corners[starts[i]..starts[i + 1]]`.
-    starts: Vec<u32>,
-    corners: Vec<u32>,
+    facets: Loops,
+}
+
+/// What is known of the edges of a mesh before its coplanar triangles are merged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edges {
+    /// Any two neighbours may be coplanar.
+    Unknown,
+    /// The mesh was grown by [`TriMesh::close`] or [`TriMesh::replace`] from a tetrahedron, and each apex was strictly
+    /// inside of the facets just beyond its rim. So only triangles of one cone may be coplanar neighbours, and these
+    /// are known by their third corner.
+    BentAtRims,
 }
 
 impl Hull3 {
@@ -53,10 +64,20 @@ impl Hull3 {
     ///
     /// One orientation an edge and O(f) time for f triangles; O(k log k) more for a facet of k triangles.
     pub fn from_mesh<K: Kernel3>(points: Points<'_, 3>, mesh: &TriMesh, kernel: &K) -> Self {
-        Self::from_mesh_of(points, |id| id, mesh, kernel)
+        Self::from_mesh_of(points, None, mesh, Edges::Unknown, kernel)
     }
 
-    /// [`from_mesh`](Self::from_mesh) for a mesh whose corners are indices into `points` in some order of its own;
+    /// [`from_mesh`](Self::from_mesh), not asking about edges of which enough is known.
+    pub fn from_known_mesh<K: Kernel3>(
+        points: Points<'_, 3>,
+        mesh: &TriMesh,
+        edges: Edges,
+        kernel: &K,
+    ) -> Self {
+        Self::from_mesh_of(points, None, mesh, edges, kernel)
+    }
+
+    /// [`from_known_mesh`](Self::from_known_mesh) for a mesh whose corners are indices into `points` in some order of its own;
     /// `names[i]` is the caller's index of `points[i]`.
     ///
     /// Of copies, `names` must give the one on the mesh the smallest index.
@@ -68,37 +89,45 @@ impl Hull3 {
         points: Points<'_, 3>,
         names: &[u32],
         mesh: &TriMesh,
+        edges: Edges,
         kernel: &K,
     ) -> Self {
-        Self::from_mesh_of(points, |id| names[id as usize], mesh, kernel)
+        Self::from_mesh_of(points, Some(names), mesh, edges, kernel)
     }
 
     fn from_mesh_of<K: Kernel3>(
         points: Points<'_, 3>,
-        name: impl Fn(u32) -> u32,
+        names: Option<&[u32]>,
         mesh: &TriMesh,
+        edges: Edges,
         kernel: &K,
     ) -> Self {
-        let (is_whole, mut larger) = facets::facets(points, mesh, kernel);
+        let (merged, mut larger) = facets::facets(points, mesh, edges, kernel);
         let triangles = || {
-            let slots = (0_u32..).zip(&is_whole).filter(|(_, is_whole)| **is_whole);
-            slots.map(|(slot, _)| mesh.corners(TriangleId(slot)))
+            let whole = mesh
+                .triangles()
+                .filter(|triangle| !merged.contains(triangle.0));
+            whole.map(|triangle| mesh.corners(triangle))
         };
-        let mut is_corner = vec![false; points.len()];
-        for corner in triangles().flatten().chain(larger.corners.iter().copied()) {
-            is_corner[corner as usize] = true;
-        }
-        let mut is_vertex = vec![false; points.len()];
-        for id in points.ids().filter(|&id| is_corner[id as usize]) {
-            is_vertex[name(id) as usize] = true;
-        }
-        let vertices = points.ids().filter(|&id| is_vertex[id as usize]).collect();
-        for corner in &mut larger.corners {
-            *corner = name(*corner);
-        }
-        let triangles = || triangles().map(|corners| corners.map(&name));
-        let facets = canonical::in_order(points.len(), triangles, larger);
-        Hull3::Solid(Solid::of_sorted(facets, vertices))
+        let vertices = if merged.is_empty() && mesh.len() / 2 + 2 == points.len() {
+            // By Euler's formula all points are corners.
+            points.ids().collect()
+        } else {
+            let larger = larger.corners.iter().copied();
+            named(points, names, triangles().flatten().chain(larger))
+        };
+        let facets = match names {
+            None => canonical::in_order(points.len(), triangles, larger),
+            Some(names) => {
+                let name = |id: u32| names[id as usize];
+                for corner in &mut larger.corners {
+                    *corner = name(*corner);
+                }
+                let triangles = || triangles().map(|corners| corners.map(name));
+                canonical::in_order(points.len(), triangles, larger)
+            }
+        };
+        Hull3::Solid(Solid { vertices, facets })
     }
 
     /// The hull with every index i replaced by `ids[i]`: the hull of a set from the hull of those of its points that may be
@@ -121,7 +150,7 @@ impl Hull3 {
             Hull3::Point(id) => &mut [std::slice::from_mut(id)],
             Hull3::Segment(ends) => &mut [ends],
             Hull3::Planar(corners) => &mut [corners],
-            Hull3::Solid(solid) => &mut [&mut solid.vertices, &mut solid.corners],
+            Hull3::Solid(solid) => &mut [&mut solid.vertices, &mut solid.facets.corners],
         };
         for list in all {
             list.iter_mut().for_each(|id| *id = ids[*id as usize]);
@@ -213,23 +242,15 @@ impl Solid {
         let mut vertices = facets.corners.clone();
         vertices.sort_unstable();
         vertices.dedup();
-        Self::of_sorted(canonical::sorted(facets), vertices)
-    }
-
-    /// The solid with these facets, in canonical order, and these corners, ascending.
-    fn of_sorted(facets: Loops, vertices: Vec<u32>) -> Self {
         Self {
             vertices,
-            starts: facets.starts,
-            corners: facets.corners,
+            facets: canonical::sorted(facets),
         }
     }
 
     /// The facets in canonical order.
     pub fn facets(&self) -> impl ExactSizeIterator<Item = &[u32]> {
-        self.starts
-            .windows(2)
-            .map(|range| &self.corners[range[0] as usize..range[1] as usize])
+        (0..self.facets.len()).map(|i| self.facets.polygon(i))
     }
 
     /// The vertices in ascending order.
@@ -239,11 +260,34 @@ impl Solid {
 
     /// The number of facets.
     pub fn facet_count(&self) -> usize {
-        self.starts.len() - 1
+        self.facets.len()
     }
 
     /// The number of edges.
     pub fn edge_count(&self) -> usize {
-        self.corners.len() / 2
+        self.facets.corners.len() / 2
     }
+}
+
+/// The names of `corners`, ascending.
+fn named(
+    points: Points<'_, 3>,
+    names: Option<&[u32]>,
+    corners: impl Iterator<Item = u32>,
+) -> Vec<u32> {
+    let mut named = Marks::default();
+    match names {
+        None => corners.for_each(|corner| named.insert(corner, points.len())),
+        Some(names) => {
+            // First by the numbers of the mesh, where neighbours are close.
+            let mut is_corner = vec![false; points.len()];
+            corners.for_each(|corner| is_corner[corner as usize] = true);
+            for (&name, is_corner) in names.iter().zip(is_corner) {
+                if is_corner {
+                    named.insert(name, points.len());
+                }
+            }
+        }
+    }
+    named.ascending()
 }

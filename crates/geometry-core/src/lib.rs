@@ -49,7 +49,7 @@ pub mod triangulation;
 pub use error::HullError;
 pub use exact::Exact;
 pub use hull2::{Boundary, Hull2};
-pub use hull3::{Hull3, Solid};
+pub use hull3::{Edges, Hull3, Solid};
 pub use kernel::counted::{Counted, QuestionCounts, StageCounts};
 pub use kernel::lifted::Lifted;
 pub use kernel::perturbed::Perturbed;

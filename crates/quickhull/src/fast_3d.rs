@@ -101,10 +101,7 @@ pub fn fast_3d<K: Kernel3, O: Observer>(
             observer,
             ids: None,
         };
-        return Ok(match surface(points, kernel, &mut observer)? {
-            Surface::Flat(hull) => hull,
-            Surface::Solid(mesh) => Hull3::from_mesh(points, &mesh, kernel),
-        });
+        return Ok(surface(points, kernel, &mut observer)?.hull(points, kernel));
     };
     let left = Left::of(points.as_slice(), 0, &map, observer);
     hull_of_left(&left, kernel, observer)
@@ -163,10 +160,7 @@ fn hull_of_left<K: Kernel3, O: Observer>(
         observer,
         ids: Some(&left.ids),
     };
-    let hull = match surface(points, kernel, &mut observer)? {
-        Surface::Flat(hull) => hull,
-        Surface::Solid(mesh) => Hull3::from_mesh(points, &mesh, kernel),
-    };
+    let hull = surface(points, kernel, &mut observer)?.hull(points, kernel);
     Ok(hull.renumbered(&left.ids))
 }
 
@@ -204,7 +198,7 @@ fn map_of_sample<K: Kernel3, O: Observer>(
         observer,
         ids: Some(&left.ids),
     };
-    let Surface::Solid(mesh) = surface(points_left, kernel, &mut observer)? else {
+    let Surface::Solid(mesh, _) = surface(points_left, kernel, &mut observer)? else {
         return Ok(None);
     };
     // About two triangles a corner.

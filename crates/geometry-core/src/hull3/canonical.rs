@@ -14,6 +14,9 @@ use super::facets::Loops;
 /// The most piles: as many as have the line they grow at in the fastest cache.
 const PILES: u32 = 256;
 
+/// So many first corners, or all, share a pile at least.
+const SMALLEST: u32 = 2048;
+
 /// The most triangles of a bucket that are sorted by insertion.
 const FEW: u32 = 16;
 
@@ -30,11 +33,7 @@ pub(super) fn in_order<I: Iterator<Item = [u32; 3]>>(
 ) -> Loops {
     let corners = sorted_triangles(count, triangles);
     if larger.len() == 0 {
-        let starts = (0..=corners.len() as u32).map(|i| 3 * i).collect();
-        return Loops {
-            starts,
-            corners: corners.into_flattened(),
-        };
+        return Loops::of_triangles(corners);
     }
     merged(&corners, sorted(larger))
 }
@@ -45,7 +44,7 @@ fn sorted_triangles<I: Iterator<Item = [u32; 3]>>(
     triangles: impl Fn() -> I,
 ) -> Vec<[u32; 3]> {
     // The first corners of a pile differ in this many low bits.
-    let low_bits = (count as u32 / PILES + 1).ilog2() + 1;
+    let low_bits = ((count as u32 / PILES).max(SMALLEST.min(count as u32)) + 1).ilog2() + 1;
     let mut places = vec![0; (count >> low_bits) + 1];
     for [a, b, c] in triangles() {
         places[(a.min(b).min(c) >> low_bits) as usize] += 1;
@@ -133,9 +132,7 @@ fn merged(triangles: &[[u32; 3]], larger: Loops) -> Loops {
         triangles.len() + larger.len(),
         3 * triangles.len() + larger.corners.len(),
     );
-    let mut facets = (0..larger.len())
-        .map(|i| &larger.corners[larger.range(i)])
-        .peekable();
+    let mut facets = (0..larger.len()).map(|i| larger.polygon(i)).peekable();
     for triangle in triangles {
         while let Some(facet) = facets.next_if(|facet| *facet < &triangle[..]) {
             all.push(facet);
@@ -157,7 +154,7 @@ pub(super) fn sorted(mut facets: Loops) -> Loops {
         let [first, second] = [0, 1].map(|i| u64::from(corners.get(i).copied().unwrap_or(0)));
         order.push((first << 32 | second, i as u32));
     }
-    let corners = |i: u32| &facets.corners[facets.range(i as usize)];
+    let corners = |i: u32| facets.polygon(i as usize);
     order.sort_unstable_by(|(key, i), (other, j)| {
         key.cmp(other).then_with(|| corners(*i).cmp(corners(*j)))
     });
@@ -173,9 +170,7 @@ mod tests {
     use super::*;
 
     fn facets(loops: &Loops) -> Vec<&[u32]> {
-        (0..loops.len())
-            .map(|i| &loops.corners[loops.range(i)])
-            .collect()
+        (0..loops.len()).map(|i| loops.polygon(i)).collect()
     }
 
     #[test]

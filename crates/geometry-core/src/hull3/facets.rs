@@ -8,77 +8,109 @@
 //!    along an edge of the hull lies in the planes of both facets there.
 //! 3. The facet is the planar hull of all corners met.
 
+use super::Edges;
+use super::marks::Marks;
 use crate::dimension::planar_hull;
 use crate::kernel::space::Kernel3;
 use crate::mesh::{SideId, TriMesh, TriangleId};
 use crate::points::Points;
+use std::ops::Range;
 
 /// Polygons one behind the other in one vector.
-#[derive(Debug)]
+///
+/// Two rows of the same polygons are equal.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub(super) struct Loops {
-    /// Polygon i is `corners[starts[i]..starts[i + 1]]`.
-    pub(super) starts: Vec<u32>,
+    /// Polygon i is `corners[starts[i]..starts[i + 1]]`; empty as long as all are triangles.
+    starts: Vec<u32>,
     pub(super) corners: Vec<u32>,
 }
 
 impl Loops {
     pub(super) fn with_capacity(polygons: usize, corners: usize) -> Self {
-        let mut starts = Vec::with_capacity(polygons + 1);
-        starts.push(0);
         Self {
-            starts,
+            starts: Vec::with_capacity(polygons + 1),
             corners: Vec::with_capacity(corners),
         }
     }
 
+    pub(super) fn of_triangles(triangles: Vec<[u32; 3]>) -> Self {
+        Self {
+            starts: Vec::new(),
+            corners: triangles.into_flattened(),
+        }
+    }
+
     pub(super) fn push(&mut self, corners: &[u32]) {
+        if self.starts.is_empty() && corners.len() != 3 {
+            self.starts
+                .extend((0..=self.corners.len() as u32).step_by(3));
+        }
         self.corners.extend_from_slice(corners);
-        self.starts.push(self.corners.len() as u32);
+        if !self.starts.is_empty() {
+            self.starts.push(self.corners.len() as u32);
+        }
     }
 
+    #[inline]
     pub(super) fn len(&self) -> usize {
-        self.starts.len() - 1
+        if self.starts.is_empty() {
+            self.corners.len() / 3
+        } else {
+            self.starts.len() - 1
+        }
     }
 
-    pub(super) fn range(&self, i: usize) -> std::ops::Range<usize> {
-        self.starts[i] as usize..self.starts[i + 1] as usize
+    #[inline]
+    pub(super) fn range(&self, i: usize) -> Range<usize> {
+        if self.starts.is_empty() {
+            3 * i..3 * i + 3
+        } else {
+            self.starts[i] as usize..self.starts[i + 1] as usize
+        }
+    }
+
+    #[inline]
+    pub(super) fn polygon(&self, i: usize) -> &[u32] {
+        &self.corners[self.range(i)]
     }
 }
 
-/// The facets, each anticlockwise seen from outside: for each slot of the mesh, whether its triangle is a facet by
-/// itself, and the larger facets.
+/// The facets, each anticlockwise seen from outside: the slots of the mesh whose triangles are not facets by themselves,
+/// and the facets of which they are parts.
 ///
-/// One orientation an edge tells which are which.
+/// One orientation an edge tells which are which, if nothing is known of the edges.
 pub(super) fn facets<K: Kernel3>(
     points: Points<'_, 3>,
     mesh: &TriMesh,
+    edges: Edges,
     kernel: &K,
-) -> (Vec<bool>, Loops) {
+) -> (Marks, Loops) {
     let merger = Merger {
         points,
         mesh,
         kernel,
     };
-    let is_whole = merger.without_coplanar_neighbours();
-    let mut larger = Loops::with_capacity(0, 0);
-    let mut used = Vec::new();
+    let merged = merger.with_coplanar_neighbours(edges);
+    let mut larger = Loops::default();
+    if merged.is_empty() {
+        return (merged, larger);
+    }
+    let mut used = vec![false; mesh.slots()];
     // The number of the facet, plus one, whose walk last met a triangle.
-    let mut met = Vec::new();
-    for triangle in mesh.triangles() {
+    let mut met = vec![0; mesh.slots()];
+    for triangle in mesh
+        .triangles()
+        .filter(|triangle| merged.contains(triangle.0))
+    {
         let slot = triangle.0 as usize;
-        if is_whole[slot] {
-            continue;
-        }
-        // Only now, as in general position nothing is to be merged.
-        used.resize(mesh.slots(), false);
-        met.resize(mesh.slots(), 0_u32);
         if !used[slot] && !merger.is_flat(triangle) {
             used[slot] = true;
             let walk = larger.len() as u32 + 1;
             larger.push(&merger.facet_around(triangle, walk, &mut met, &mut used));
         }
     }
-    (is_whole, larger)
+    (merged, larger)
 }
 
 struct Merger<'a, K> {
@@ -88,36 +120,45 @@ struct Merger<'a, K> {
 }
 
 impl<K: Kernel3> Merger<'_, K> {
-    /// For each slot of the mesh, whether it has a triangle, and none of its neighbours is coplanar with it.
-    fn without_coplanar_neighbours(&self) -> Vec<bool> {
-        let slots = self.mesh.slots() as u32;
-        let mut found: Vec<bool> = (0..slots)
-            .map(|slot| self.mesh.is_alive(TriangleId(slot)))
-            .collect();
-        // Each edge once, from the triangle with the greater number, which is as good as random: chosen without a
-        // branch, in batches.
+    /// The slots of the triangles that are coplanar with a neighbour.
+    fn with_coplanar_neighbours(&self, edges: Edges) -> Marks {
+        let mut found = Marks::default();
+        // Which edges are to be asked about is as good as random: chosen without a branch, in batches.
         let mut batch = [(TriangleId(0), SideId(0)); 256];
         let mut filled = 0;
         for triangle in self.mesh.triangles() {
-            for twin in self.mesh.twins(triangle) {
-                batch[filled] = (triangle, twin);
-                filled += usize::from(twin.triangle() < triangle);
+            match edges {
+                // Each edge once, from the triangle with the greater number.
+                Edges::Unknown => {
+                    for twin in self.mesh.twins(triangle) {
+                        batch[filled] = (triangle, twin);
+                        filled += usize::from(twin.triangle() < triangle);
+                    }
+                }
+                // In a cone, the side after the rim is that of the next triangle.
+                Edges::BentAtRims => {
+                    let twin = self.mesh.twin(triangle.side(1));
+                    let [of, and] = [triangle, twin.triangle()].map(|t| self.mesh.corners(t)[2]);
+                    batch[filled] = (triangle, twin);
+                    filled += usize::from(of == and);
+                }
             }
             if filled + 3 > batch.len() {
-                self.strike_coplanar(&batch[..filled], &mut found);
+                self.note_coplanar(&batch[..filled], &mut found);
                 filled = 0;
             }
         }
-        self.strike_coplanar(&batch[..filled], &mut found);
+        self.note_coplanar(&batch[..filled], &mut found);
         found
     }
 
-    /// Clears the marks of the triangles that are coplanar with the one at the other end of a pair.
-    fn strike_coplanar(&self, pairs: &[(TriangleId, SideId)], is_whole: &mut [bool]) {
+    /// Adds the triangles that are coplanar with the one at the other end of a pair.
+    fn note_coplanar(&self, pairs: &[(TriangleId, SideId)], found: &mut Marks) {
         for &(triangle, twin) in pairs {
             if self.is_on_plane(self.mesh.corners(triangle), self.mesh.apex(twin)) {
-                is_whole[triangle.0 as usize] = false;
-                is_whole[twin.triangle().0 as usize] = false;
+                for triangle in [triangle, twin.triangle()] {
+                    found.insert(triangle.0, self.mesh.slots());
+                }
             }
         }
     }

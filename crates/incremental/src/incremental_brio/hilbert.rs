@@ -24,6 +24,8 @@ static CURVE: [u16; CELLS * STATES] = curve();
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid {
     lowest: Point3,
+    /// Halves of the extents.
+    extents: Point3,
     /// Cells per unit of half a coordinate.
     scale: Point3,
     /// Cells along an axis are two to this power.
@@ -47,12 +49,30 @@ impl Grid {
         }
         let cells = f64::from(1_u32 << levels);
         // Halves, because the extent of finite coordinates may be infinite.
-        let scale = [0, 1, 2].map(|i| cells / (highest[i] / 2.0 - lowest[i] / 2.0));
+        let extents = [0, 1, 2].map(|i| highest[i] / 2.0 - lowest[i] / 2.0);
         Self {
             lowest: lowest.map(|x| x / 2.0),
-            scale,
+            extents,
+            scale: extents.map(|extent| cells / extent),
             levels,
         }
+    }
+
+    /// The axis along which the box is longest.
+    pub(super) fn widest_axis(self) -> usize {
+        let wider = |widest, axis| {
+            if self.extents[axis] > self.extents[widest] {
+                axis
+            } else {
+                widest
+            }
+        };
+        (1..3).fold(0, wider)
+    }
+
+    /// Along an axis, half the least coordinate of the box, and half its extent.
+    pub(super) fn side(self, axis: usize) -> (f64, f64) {
+        (self.lowest[axis], self.extents[axis])
     }
 
     /// The number of bits of a [`place`](Self::place).

@@ -73,9 +73,10 @@ impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
             }
         }
         let made = self.mesh.replace(&mut region.seen, &region.rim, p);
-        self.latest = made.ok_or(HullError::Contradiction {
+        made.ok_or(HullError::Contradiction {
             what: "the facets that a point sees are not one region with one rim",
         })?;
+        self.latest = self.towards_next(p, &region.rim);
         let names = &self.names;
         self.observer.step(|| Step::Insert(names[p as usize]));
         for &side in &region.rim {
@@ -86,6 +87,27 @@ impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
             });
         }
         Ok(())
+    }
+
+    /// The facet of the cone just made whose two corners on the rim are nearest to the point after `p`, where its walk begins.
+    fn towards_next(&self, p: u32, rim: &[SideId]) -> TriangleId {
+        let next = self.points.as_slice().get(p as usize + 1);
+        let next = *next.unwrap_or(&self.points[p]);
+        let distance = |id: u32| {
+            let [x, y, z] = [0, 1, 2].map(|i| self.points[id][i] - next[i]);
+            x * x + y * y + z * z
+        };
+        let mut nearest = rim[0];
+        let mut least = f64::INFINITY;
+        let mut before = distance(self.mesh.target(rim[0]));
+        for &side in rim {
+            let after = distance(self.mesh.origin(side));
+            let both = before + after;
+            nearest = if both < least { side } else { nearest };
+            least = if both < least { both } else { least };
+            before = after;
+        }
+        self.mesh.twin(nearest).triangle()
     }
 
     /// Whether the facet of `side` is seen, or `None` if it has been taken out already.

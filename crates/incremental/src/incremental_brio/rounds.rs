@@ -9,7 +9,8 @@
 //! cell, as when a few lie far away, the points of the cell are sorted again in a grid of their own.
 
 use super::hilbert::Grid;
-use geometry_core::Points;
+use super::line::Line;
+use geometry_core::{Point3, Points};
 
 /// The fewest points of all rounds but the last to come; below it there is one round.
 const FIRST_ROUND: u32 = 32;
@@ -19,16 +20,18 @@ const ROUND_BITS: u32 = 4;
 const POINTS_A_CELL: usize = 16;
 const FINEST: u32 = 10;
 
-/// The indices of all points in the order of insertion: `first`, then the others by rounds.
-pub(super) fn order(points: Points<'_, 3>, first: [u32; 4]) -> Vec<u32> {
+/// The indices of all points in the order of insertion: `first`, then the others by rounds; `None` if `first` names a point
+/// twice.
+pub(super) fn order(points: Points<'_, 3>, first: [u32; 4]) -> Option<Vec<u32>> {
     let mut order = Vec::with_capacity(points.len() + first.len());
     order.extend(first);
     order.extend(points.ids());
-    // From the greatest, so that an index to be removed is still in its place. A kernel that contradicts itself may have
-    // named one twice.
-    let mut removed = first.to_vec();
+    // From the greatest, so that an index to be removed is still in its place.
+    let mut removed = first;
     removed.sort_unstable();
-    removed.dedup();
+    if removed.windows(2).any(|pair| pair[0] == pair[1]) {
+        return None;
+    }
     for id in removed.into_iter().rev() {
         order.swap_remove(first.len() + id as usize);
     }
@@ -47,7 +50,7 @@ pub(super) fn order(points: Points<'_, 3>, first: [u32; 4]) -> Vec<u32> {
     while let Some((start, end)) = sorter.crowds.pop() {
         sorter.sort(&mut order[start..end], start, |_| 0);
     }
-    order
+    Some(order)
 }
 
 /// How many rounds from the last the point is in, were there no first: 0 with probability 3/4, 1 with 3/16, ...
@@ -115,17 +118,16 @@ impl Sorter<'_> {
         let room = (u64::BITS - ROUND_BITS - self.index_bits) / 3;
         let levels = wanted.min(room - room % 2);
         let grid = Grid::over(ids.iter().map(|&id| self.points[id]), levels);
-        self.keys.clear();
-        self.keys.extend(ids.iter().map(|&id| {
-            let cell = (round(id) << grid.bits()) | grid.place(self.points[id]);
-            (cell << self.index_bits) | u64::from(id)
-        }));
-        radix_sort(
-            &mut self.keys,
-            &mut self.spare,
-            self.index_bits,
-            grid.bits() + ROUND_BITS,
+        let line = Line::along(
+            ids.len(),
+            |i| self.points[ids[i]],
+            grid,
+            grid.bits().min(30),
         );
+        match line {
+            Some(line) => self.sort_keys(ids, round, line.bits(), |p| line.place(p)),
+            None => self.sort_keys(ids, round, grid.bits(), |p| grid.place(p)),
+        }
         let mask = (1 << self.index_bits) - 1;
         for (id, key) in ids.iter_mut().zip(&self.keys) {
             *id = (key & mask) as u32;
@@ -141,5 +143,26 @@ impl Sorter<'_> {
             }
             start = end;
         }
+    }
+
+    /// Puts the words of `ids` in order, with `bits` for the place of a point.
+    fn sort_keys(
+        &mut self,
+        ids: &[u32],
+        round: impl Fn(u32) -> u64,
+        bits: u32,
+        place: impl Fn(Point3) -> u64,
+    ) {
+        self.keys.clear();
+        self.keys.extend(ids.iter().map(|&id| {
+            let cell = (round(id) << bits) | place(self.points[id]);
+            (cell << self.index_bits) | u64::from(id)
+        }));
+        radix_sort(
+            &mut self.keys,
+            &mut self.spare,
+            self.index_bits,
+            bits + ROUND_BITS,
+        );
     }
 }

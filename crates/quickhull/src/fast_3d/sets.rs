@@ -63,14 +63,8 @@ impl OutsideSets {
         self.live += len;
     }
 
-    /// The furthest point of the set of `facet`, unless it is empty.
-    pub(super) fn furthest(&self, facet: TriangleId) -> Option<Site> {
-        let set = self.sets.get(facet.0 as usize)?;
-        (set.len > 0).then(|| self.sites[set.start + set.furthest as usize])
-    }
-
-    /// Takes the set of `facet` away and gives its points to `pool`, but not the copies of `apex`.
-    pub(super) fn take(&mut self, facet: TriangleId, apex: Point3, pool: &mut Vec<Site>) {
+    /// Takes the set of `facet` away and gives its points to `pool`.
+    pub(super) fn take(&mut self, facet: TriangleId, pool: &mut Vec<Site>) {
         let Some(set) = self.sets.get_mut(facet.0 as usize) else {
             return;
         };
@@ -79,11 +73,25 @@ impl OutsideSets {
         if len == 0 {
             return;
         }
-        pool.extend(self.sites[start..end].iter().filter(|site| site.at != apex));
+        pool.extend_from_slice(&self.sites[start..end]);
         self.live -= len as usize;
         if end == self.end {
             self.end = start;
         }
+    }
+
+    /// Takes the furthest point of the set of `facet` out of it.
+    pub(super) fn take_furthest(&mut self, facet: TriangleId) -> Option<Site> {
+        let set = self.sets.get_mut(facet.0 as usize)?;
+        let sites = &mut self.sites[set.start..set.start + set.len as usize];
+        let furthest = sites.get_mut(set.furthest as usize..)?;
+        let site = *furthest.first()?;
+        // The others stay in order.
+        furthest.copy_within(1.., 0);
+        self.end -= usize::from(set.start + set.len as usize == self.end);
+        set.len -= 1;
+        self.live -= 1;
+        Some(site)
     }
 
     /// How many points can be stored.

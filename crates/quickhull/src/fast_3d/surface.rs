@@ -21,7 +21,7 @@
 //!    does not see it.
 //! 3. At the end no point is strictly outside of a facet.
 //!
-//! [`Hull3::from_mesh`](geometry_core::Hull3::from_mesh) merges the coplanar triangles and drops the corners that
+//! [`Hull3::from_known_mesh`](geometry_core::Hull3::from_known_mesh) merges the coplanar triangles and drops the corners that
 //! are not extreme. That thousands of points in one plane are not inserted but dropped at once is what makes lattices and the faces
 //! of a cube as fast as other points.
 
@@ -32,14 +32,24 @@ use crate::horizon::Horizon;
 use crate::pending::Pending;
 use geometry_core::dimension::AffineBasis;
 use geometry_core::mesh::{TriMesh, TriangleId};
-use geometry_core::{Hull3, HullError, Kernel3, Observer, Point3, Points, Step};
+use geometry_core::{Edges, Hull3, HullError, Kernel3, Observer, Point3, Points, Step};
 
 /// The hull of points, before its facets are merged.
 pub(super) enum Surface {
     /// The points do not span space, and this is their hull.
     Flat(Hull3),
-    /// A triangulated surface (invariants 1 to 3).
-    Solid(TriMesh),
+    /// A triangulated surface (invariants 1 to 3), and what is known of its edges.
+    Solid(TriMesh, Edges),
+}
+
+impl Surface {
+    /// The hull of `points`, of which this is the surface.
+    pub(super) fn hull<K: Kernel3>(self, points: Points<'_, 3>, kernel: &K) -> Hull3 {
+        match self {
+            Surface::Flat(hull) => hull,
+            Surface::Solid(mesh, edges) => Hull3::from_known_mesh(points, &mesh, edges, kernel),
+        }
+    }
 }
 
 /// Finds the surface of `points`.
@@ -68,7 +78,7 @@ pub(super) fn surface<K: Kernel3, O: Observer>(
     while let Some((facet, apex)) = quickhull.next_apex() {
         quickhull.add(facet, apex)?;
     }
-    Ok(Surface::Solid(quickhull.mesh))
+    Ok(Surface::Solid(quickhull.mesh, quickhull.edges))
 }
 
 struct Quickhull<'a, K, O> {
@@ -82,6 +92,8 @@ struct Quickhull<'a, K, O> {
     outside: OutsideSets,
     pending: Pending,
     horizon: Horizon,
+    /// [`Edges::BentAtRims`] until an apex may have been in the plane of a facet beyond its rim.
+    edges: Edges,
     /// The facets made by the step under way.
     made: Vec<TriangleId>,
     /// The points to partition.
@@ -113,6 +125,7 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
             outside: OutsideSets::default(),
             pending: Pending::default(),
             horizon: Horizon::default(),
+            edges: Edges::BentAtRims,
             pool,
         };
         quickhull.partition();
@@ -123,7 +136,7 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
     fn next_apex(&mut self) -> Option<(TriangleId, Site)> {
         loop {
             let facet = self.pending.next()?;
-            if let Some(apex) = self.outside.furthest(facet) {
+            if let Some(apex) = self.outside.take_furthest(facet) {
                 return Some((facet, apex));
             }
         }
@@ -137,7 +150,7 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
         for &facet in &self.horizon.visible {
             let [a, b, c] = self.mesh.corners(facet);
             self.observer.step(|| Step::Drop(a, b, c));
-            self.outside.take(facet, apex.at, &mut self.pool);
+            self.outside.take(facet, &mut self.pool);
             self.mesh.remove(facet);
         }
         self.mesh.close(&self.horizon.rim, apex.id, &mut self.made);
@@ -148,12 +161,25 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
 
     fn find_horizon(&mut self, start: TriangleId, p: Point3) -> Result<(), HullError> {
         let (points, kernel, mesh, planes) = (self.points, self.kernel, &self.mesh, &self.planes);
+        let edges = &mut self.edges;
         self.horizon.search(mesh, start, |facet| {
             let plane = &planes[facet.0 as usize];
-            match plane.side(plane.height(p)) {
+            let height = plane.height(p);
+            match plane.side(height) {
                 Side::Outside => true,
-                Side::Within => false,
-                Side::Unsure => is_outside(points, kernel, mesh.corners(facet), &p),
+                Side::Within => {
+                    if height == 0.0 {
+                        *edges = Edges::Unknown;
+                    }
+                    false
+                }
+                Side::Unsure => {
+                    let is_outside = is_outside(points, kernel, mesh.corners(facet), &p);
+                    if !is_outside {
+                        *edges = Edges::Unknown;
+                    }
+                    is_outside
+                }
             }
         })
     }
