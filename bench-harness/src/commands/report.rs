@@ -27,7 +27,7 @@ With --papers, the verdicts on the papers and their tables beside ours.
   <!-- report:NAME -->
   <!-- /report:NAME -->
 by the table of the definition NAME: a row a point set and size, a column an engine, time over that of the baseline; the
-table of `hullbench targets` where NAME is targets.
+table of `hullbench targets` where NAME is targets. Engines named after NAME are the columns.
 
 Examples:
   hullbench report
@@ -152,7 +152,7 @@ fn spliced(
     let page = fs::read_to_string(path)
         .map_err(|error| Failure::io(path.display(), &error, "check the name"))?;
     let answered = cmp(run, baseline(args, run));
-    let table = |name: &str| {
+    let table = |name: &str, engines: &[&str]| {
         if name == TARGETS {
             let found = targets(run, all);
             return Ok(found.page().long.markdown());
@@ -164,9 +164,15 @@ fn spliced(
                 known.join(", ")
             ));
         }
-        matrix::ratios(run, &answered, name)
-            .map(|table| table.markdown())
-            .ok_or_else(|| format!("nothing of '{name}' was timed"))
+        let table = matrix::ratios(run, &answered, name)
+            .ok_or_else(|| format!("nothing of '{name}' was timed"))?;
+        let table = match engines {
+            [] => table,
+            named => table
+                .only(matrix::LEAD.len(), named)
+                .ok_or_else(|| format!("not all of {} were timed", named.join(", ")))?,
+        };
+        Ok(table.markdown())
     };
     splice(&page, table).map_err(|fault| Failure::Data(format!("{}:{fault}", path.display())))
 }

@@ -165,6 +165,20 @@ impl Table {
         }
     }
 
+    /// The same table with the columns that tell the rows apart, the first `lead`, and those called `columns`; `None` if there
+    /// is no such column.
+    pub fn only(&self, lead: usize, columns: &[&str]) -> Option<Self> {
+        let place = |name: &&str| self.columns.iter().position(|column| column == name);
+        let named: Option<Vec<usize>> = columns.iter().map(place).collect();
+        let places: Vec<usize> = (0..lead).chain(named?).collect();
+        let rows = self.rows.iter().map(|row| places.iter().map(|&i| row[i].clone()).collect());
+        Some(Self {
+            caption: self.caption.clone(),
+            columns: places.iter().map(|&i| self.columns[i].clone()).collect(),
+            rows: rows.collect(),
+        })
+    }
+
     /// As Markdown.
     pub fn markdown(&self) -> String {
         self.sheet().markdown()

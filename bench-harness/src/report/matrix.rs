@@ -7,6 +7,9 @@ use crate::output::sheet::duration;
 use crate::records::{Case, Outcome, Run};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// The columns before those of the engines.
+pub const LEAD: [&str; 3] = ["set", "n", "h"];
+
 /// The table of the cases of `definition`: what `value` says of each engine, and where it says nothing, what became of
 /// the engine. Engines of which nothing is said have no column; cases of which nothing is said have no row.
 pub fn matrix(
@@ -26,7 +29,7 @@ pub fn matrix(
     let engines: BTreeSet<&str> = cases.iter().flat_map(|case| named(case)).collect();
     let said = |engine: &&str| cases.iter().any(|case| value(case, engine).is_some());
     let engines: Vec<&str> = engines.into_iter().filter(said).collect();
-    let mut columns = vec!["set", "n", "h"];
+    let mut columns = LEAD.to_vec();
     columns.extend(&engines);
     let mut table = Table::new(caption, &columns);
     for case in cases {

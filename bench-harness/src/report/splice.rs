@@ -5,6 +5,8 @@
 //! the table of the definition `plane`: time over that of the baseline
 //! <!-- /report:plane -->
 //! ```
+//!
+//! Names of engines after that of the definition, `<!-- report:plane gs qhull -->`, make it the table of these.
 
 use std::fmt;
 
@@ -25,18 +27,19 @@ impl fmt::Display for Fault {
 
 /// A line that is a mark.
 enum Mark<'a> {
-    Begin(&'a str),
+    /// The name of a table, and the engines that are wanted in it.
+    Begin(&'a str, Vec<&'a str>),
     End(&'a str),
 }
 
-/// `page` with what stands between the marks of NAME replaced by `table(NAME)`; how many tables that were comes with it.
+/// `page` with what stands between the marks of NAME replaced by `table(NAME, ENGINES)`; how many tables that were comes with it.
 ///
 /// # Errors
 ///
 /// [`Fault`]: a name that `table` has nothing for, a mark without its other, a mark within another pair.
 pub fn splice(
     page: &str,
-    table: impl Fn(&str) -> Result<String, String>,
+    table: impl Fn(&str, &[&str]) -> Result<String, String>,
 ) -> Result<(String, usize), Fault> {
     let mut out = String::new();
     let mut open: Option<(usize, &str)> = None;
@@ -46,9 +49,10 @@ pub fn splice(
         match (mark(line), open) {
             (None, None) => out += line,
             (None, Some(_)) => {}
-            (Some(Mark::Begin(name)), None) => {
+            (Some(Mark::Begin(name, engines)), None) => {
+                let table = table(name, &engines).map_err(fault)?;
                 out += line;
-                out += &format!("\n{}\n", table(name).map_err(fault)?.trim_end());
+                out += &format!("\n{}\n", table.trim_end());
                 out += "\n";
                 open = Some((number, name));
                 tables += 1;
@@ -57,7 +61,7 @@ pub fn splice(
                 out += line;
                 open = None;
             }
-            (Some(Mark::Begin(name)), Some((line, opened))) => {
+            (Some(Mark::Begin(name, _)), Some((line, opened))) => {
                 let what = format!("report:{name} begins within report:{opened} of line {line}");
                 return Err(fault(what));
             }
@@ -83,9 +87,10 @@ fn mark(line: &str) -> Option<Mark<'_>> {
         .strip_suffix("-->")?
         .trim();
     match inner.strip_prefix('/') {
-        None => inner
-            .strip_prefix("report:")
-            .map(|name| Mark::Begin(name.trim())),
+        None => {
+            let mut words = inner.strip_prefix("report:")?.split_whitespace();
+            Some(Mark::Begin(words.next()?, words.collect()))
+        }
         Some(rest) => rest
             .strip_prefix("report:")
             .map(|name| Mark::End(name.trim())),
@@ -96,9 +101,9 @@ fn mark(line: &str) -> Option<Mark<'_>> {
 mod tests {
     use super::*;
 
-    fn table(name: &str) -> Result<String, String> {
+    fn table(name: &str, engines: &[&str]) -> Result<String, String> {
         match name {
-            "plane" => Ok("| new |\n".to_owned()),
+            "plane" => Ok(format!("| {} |\n", [&["new"], engines].concat().join(" | "))),
             _ => Err(format!("no definition is called '{name}'")),
         }
     }
@@ -114,6 +119,13 @@ mod tests {
             "before\n<!-- report:plane -->\n\n| new |\n\n<!-- /report:plane -->\nafter"
         );
         assert_eq!(splice(&once, table).expect("again").0, once);
+    }
+
+    #[test]
+    fn engines_may_be_named() {
+        let page = "<!-- report:plane gs qhull -->\n<!-- /report:plane -->\n";
+        let (spliced, _) = splice(page, table).expect("spliced");
+        assert!(spliced.contains("\n| new | gs | qhull |\n"), "{spliced}");
     }
 
     #[test]
