@@ -171,7 +171,10 @@ impl Table {
         let place = |name: &&str| self.columns.iter().position(|column| column == name);
         let named: Option<Vec<usize>> = columns.iter().map(place).collect();
         let places: Vec<usize> = (0..lead).chain(named?).collect();
-        let rows = self.rows.iter().map(|row| places.iter().map(|&i| row[i].clone()).collect());
+        let rows = self
+            .rows
+            .iter()
+            .map(|row| places.iter().map(|&i| row[i].clone()).collect());
         Some(Self {
             caption: self.caption.clone(),
             columns: places.iter().map(|&i| self.columns[i].clone()).collect(),

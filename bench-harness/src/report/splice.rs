@@ -103,7 +103,10 @@ mod tests {
 
     fn table(name: &str, engines: &[&str]) -> Result<String, String> {
         match name {
-            "plane" => Ok(format!("| {} |\n", [&["new"], engines].concat().join(" | "))),
+            "plane" => Ok(format!(
+                "| {} |\n",
+                [&["new"], engines].concat().join(" | ")
+            )),
             _ => Err(format!("no definition is called '{name}'")),
         }
     }
