@@ -65,7 +65,7 @@ pub struct Args {
     #[arg(long, value_name = "ENGINE", value_hint = ValueHint::Other)]
     baseline: Option<String>,
 
-    /// Show this count [default: questions, or all if that was not counted]; may be given several times
+    /// Show this count [default: orientations and visits, or all if these were not counted]; may be given several times
     #[arg(long = "counter", value_name = "COUNTER", value_hint = ValueHint::Other)]
     counters: Vec<String>,
 }

@@ -84,13 +84,21 @@ pub fn document(material: &Material<'_>) -> Result<Document> {
     })
 }
 
-/// The counts that a report shows if none is named: all questions asked, or every count there is.
+/// What an algorithm asks most, and how often it looks at a point: the counts that tell methods apart.
+const TELLING: [&str; 4] = [
+    "questions",
+    "orientations",
+    "orientations-in-space",
+    "visits",
+];
+
+/// The counts that a report shows if none is named: the telling ones, or every count if there is none of these.
 pub fn usual_counters(run: &Run) -> Vec<String> {
     let known = run.counters();
-    let total = known.iter().filter(|counter| **counter == "questions");
-    let total: Vec<String> = total.map(|counter| (*counter).to_owned()).collect();
-    if !total.is_empty() {
-        return total;
+    let telling = known.iter().filter(|counter| TELLING.contains(counter));
+    let telling: Vec<String> = telling.map(|counter| (*counter).to_owned()).collect();
+    if !telling.is_empty() {
+        return telling;
     }
     let others = known
         .into_iter()

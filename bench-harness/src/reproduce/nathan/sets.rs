@@ -1,7 +1,8 @@
 //! The sets of this paper's experiments: those of the catalogue, moved away from the origin or put in another order.
 
 use super::definition::Order;
-use crate::reproduce::sets::PointSet3;
+use crate::reproduce::parallel;
+use crate::reproduce::sets::{PointSet3, digest};
 use anyhow::{Context, Result};
 use geometry_core::Point2;
 use point_sets::Spec;
@@ -32,6 +33,23 @@ pub(crate) fn moved(set: PointSet3, offset: f64) -> PointSet3 {
             *coordinate += offset;
         }
     })
+}
+
+/// What `work` makes of so many replicates of the cell (name, n, replicates), each with `offset` added to every coordinate;
+/// and one name for all these sets.
+pub(crate) fn each_moved<R: Send>(
+    seed: u64,
+    (name, n, replicates): (&str, usize, u64),
+    offset: f64,
+    work: impl Fn(PointSet3) -> Result<R> + Sync,
+) -> Result<(Vec<R>, String)> {
+    let replicates: Vec<u64> = (0..replicates).collect();
+    let done = parallel::map(&replicates, |&replicate| {
+        let set = moved(generate(seed, name, n, replicate)?, offset);
+        Ok((set.fingerprint(), work(set)?))
+    })?;
+    let (fingerprints, results): (Vec<String>, Vec<R>) = done.into_iter().unzip();
+    Ok((results, digest(fingerprints)))
 }
 
 /// The set in another order.

@@ -7,9 +7,7 @@ use crate::reproduce::data::product;
 use crate::reproduce::nathan::definition::Studies;
 use crate::reproduce::nathan::records::{EpsilonRow, Records};
 use crate::reproduce::nathan::sets;
-use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
-use crate::reproduce::sets::digest;
 use crate::reproduce::space::surface::is_hull;
 use anyhow::Result;
 use geometry_core::{Exact, Hull3, Perturbed, Points, Silent};
@@ -29,20 +27,17 @@ pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let progress = Progress::start("epsilon", cells.len());
     for (distribution, n) in cells {
         for &offset in &block.offsets {
-            let replicates: Vec<u64> = (0..block.sets).collect();
-            let tried = parallel::map(&replicates, |&replicate| {
-                let set = sets::generate(studies.seed, &distribution, n, replicate)?;
-                let set = sets::moved(set, offset);
+            let cell = (distribution.as_str(), n, block.sets);
+            let (tried, digest) = sets::each_moved(studies.seed, cell, offset, |set| {
                 let hull = proved("epsilon", &set)?;
                 let wrong = match &hull {
                     Ok(hull) => Some(ARMS.map(|arm| is_wrong(&set.points, arm, hull))),
                     Err(_) => None,
                 };
-                Ok((set.fingerprint(), wrong, hull.err()))
+                Ok((wrong, hull.err()))
             })?;
-            let digest = digest(tried.iter().map(|(fingerprint, ..)| fingerprint));
             for (place, (arithmetic, own_corners)) in ARMS.into_iter().enumerate() {
-                let outcomes = || tried.iter().filter_map(|(_, wrong, _)| *wrong);
+                let outcomes = || tried.iter().filter_map(|(wrong, _)| *wrong);
                 records.own.epsilon.push(EpsilonRow {
                     distribution: distribution.clone(),
                     n,
@@ -54,7 +49,7 @@ pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
                     digest: digest.clone(),
                 });
             }
-            let failures = tried.into_iter().filter_map(|(.., failures)| failures);
+            let failures = tried.into_iter().filter_map(|(_, failures)| failures);
             records.failures.extend(failures.flatten());
         }
         progress.finished(&distribution);

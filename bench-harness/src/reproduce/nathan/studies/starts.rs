@@ -7,9 +7,7 @@ use crate::reproduce::data::product;
 use crate::reproduce::nathan::definition::Studies;
 use crate::reproduce::nathan::records::{Records, StartRow};
 use crate::reproduce::nathan::sets;
-use crate::reproduce::parallel;
 use crate::reproduce::progress::Progress;
-use crate::reproduce::sets::digest;
 use anyhow::Result;
 use geometry_core::{Exact, Perturbed, Points, Silent};
 use gift_wrap::nathan::{Ending, NathanOptions, Start, study};
@@ -28,15 +26,11 @@ pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
     let progress = Progress::start("starts", cells.len());
     for (distribution, n) in cells {
         for &offset in &block.offsets {
-            let replicates: Vec<u64> = (0..block.sets).collect();
-            let tried = parallel::map(&replicates, |&replicate| {
-                let set = sets::generate(studies.seed, &distribution, n, replicate)?;
-                let set = sets::moved(set, offset);
+            let cell = (distribution.as_str(), n, block.sets);
+            let (tried, digest) = sets::each_moved(studies.seed, cell, offset, |set| {
                 let points = Points::new(&set.points)?;
-                let off_hull = STARTS.map(|(_, start)| is_off_hull(points, start));
-                Ok((set.fingerprint(), off_hull))
+                Ok(STARTS.map(|(_, start)| is_off_hull(points, start)))
             })?;
-            let digest = digest(tried.iter().map(|(fingerprint, _)| fingerprint));
             for (place, (name, _)) in STARTS.iter().enumerate() {
                 records.own.starts.push(StartRow {
                     distribution: distribution.clone(),
@@ -44,7 +38,7 @@ pub(crate) fn run(studies: &Studies, records: &mut Records) -> Result<()> {
                     offset,
                     start: (*name).to_owned(),
                     sets: tried.len(),
-                    off_hull: tried.iter().filter(|(_, off)| off[place]).count(),
+                    off_hull: tried.iter().filter(|off| off[place]).count(),
                     digest: digest.clone(),
                 });
             }
