@@ -5,6 +5,7 @@ use super::fault::Fault;
 use super::peers::{self, Peer, Program, build};
 use super::protocol::Problem;
 use super::yardstick::{YARDSTICKS, Yardstick};
+use crate::records::rows::twin_of;
 use geometry_core::Method;
 use std::env;
 use std::io;
@@ -67,9 +68,6 @@ pub enum Entry {
     Peer(&'static Program, &'static Peer),
 }
 
-/// What marks the twin of an engine, which is the same program measured as if it were another.
-pub const TWIN: &str = "@twin";
-
 /// Every engine: our methods, the yardsticks, the peers.
 pub fn all() -> impl Iterator<Item = Entry> {
     let own = hullkit::methods().filter(|method| Problem::of(method).is_some());
@@ -80,7 +78,7 @@ pub fn all() -> impl Iterator<Item = Entry> {
 
 /// The engine `name`, or the one whose twin it is.
 pub fn find(name: &str) -> Option<Entry> {
-    let name = name.strip_suffix(TWIN).unwrap_or(name);
+    let name = twin_of(name).unwrap_or(name);
     all().find(|entry| entry.name() == name)
 }
 
@@ -148,13 +146,14 @@ impl Entry {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::records::rows::twin;
 
     #[test]
     fn engines_and_their_twins_are_found_by_name() {
         for entry in all() {
             let found = find(entry.name()).expect("an engine of the list");
             assert_eq!(found.name(), entry.name());
-            let twin = find(&format!("{}{TWIN}", entry.name())).expect("a twin");
+            let twin = find(&twin(entry.name())).expect("a twin");
             assert_eq!(twin.name(), entry.name());
         }
         assert!(find("qhull@brother").is_none() && find("nobody").is_none());

@@ -1,7 +1,7 @@
 //! The stops of a run: cells by realisation, in the order in which they are visited.
 
 use crate::definition::{Block, Definition, Measure};
-use crate::records::Case;
+use crate::records::{Case, rows};
 
 /// One realisation of one cell.
 #[derive(Clone, Debug)]
@@ -55,7 +55,7 @@ impl Selection {
     fn engines(&self, block: &Block) -> Vec<String> {
         let wanted = |engine: &&String| self.engines.is_empty() || self.engines.contains(engine);
         let twin = block.twin.iter().filter(wanted);
-        let twin = twin.map(|engine| format!("{engine}@twin"));
+        let twin = twin.map(|engine| rows::twin(engine));
         let engines = block.engines.iter().filter(wanted).cloned();
         engines
             .chain(twin)

@@ -113,7 +113,7 @@ impl Subject {
     #[must_use]
     pub fn twin(&self) -> Self {
         Self {
-            engine: format!("{}{TWIN}", self.engine),
+            engine: twin(&self.engine),
             ..self.clone()
         }
     }
@@ -127,6 +127,11 @@ impl Subject {
             self.seed.to_string(),
         ]
     }
+}
+
+/// The name of `engine` measured once more, as if it were another.
+pub fn twin(engine: &str) -> String {
+    format!("{engine}{TWIN}")
 }
 
 /// The engine that `engine` is the twin of, if it is one: `gs` of `gs@twin`.

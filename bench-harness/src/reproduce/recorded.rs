@@ -13,11 +13,6 @@ use std::collections::{BTreeMap, HashMap};
 /// The definitions of this stage only certify: their cells become histograms of sizes.
 const SIZES: &str = "sizes";
 
-/// The second entry of `method`, which shows the noise of a program against itself.
-pub(crate) fn twin(method: &str) -> String {
-    format!("{method}@twin")
-}
-
 /// Adds the rows of `run`, which measured `definitions`.
 pub(crate) fn add<Own>(run: &Run, definitions: &[Definition], records: &mut Records<Own>) {
     let places = Places::of(definitions);

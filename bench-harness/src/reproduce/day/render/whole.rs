@@ -7,7 +7,7 @@ use crate::reproduce::day::records::Records;
 use crate::reproduce::day::studies::METHOD;
 use crate::reproduce::day::studies::PARALLEL;
 use crate::reproduce::ratio::{median_time, time_ratio};
-use crate::reproduce::recorded::twin;
+use crate::records::rows::twin;
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::plot::{PALETTE, Scale, Series, Stroke};
 use crate::reproduce::render::sheet::{Sheet, duration, fixed};

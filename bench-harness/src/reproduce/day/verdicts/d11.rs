@@ -6,7 +6,7 @@ use crate::reproduce::day::records::Records;
 use crate::reproduce::day::studies::METHOD;
 use crate::reproduce::day::studies::PARALLEL;
 use crate::reproduce::ratio::time_ratio;
-use crate::reproduce::recorded::twin;
+use crate::records::rows::twin;
 use crate::reproduce::verdict::ratio_text;
 
 pub(super) fn judge(records: &Records) -> Verdict {

@@ -7,7 +7,7 @@ use crate::reproduce::data::product;
 use crate::reproduce::nathan::definition::{Corners, Studies};
 use crate::reproduce::nathan::records::Records;
 use crate::reproduce::progress::Progress;
-use crate::reproduce::recorded::twin;
+use crate::records::rows::twin;
 use crate::reproduce::rows::TimeRow;
 use crate::reproduce::timing::{Contestant, Sample, interleave};
 use anyhow::Result;

@@ -4,7 +4,7 @@ use super::{Outcome, Part, Verdict, verdict};
 use crate::reproduce::nathan::records::Records;
 use crate::reproduce::nathan::studies::corners::arm;
 use crate::reproduce::ratio::time_ratio;
-use crate::reproduce::recorded::twin;
+use crate::records::rows::twin;
 use crate::reproduce::verdict::ratio_text;
 use crate::stats::interval::{Place, equivalence};
 use gift_wrap::nathan::OwnCorners;
