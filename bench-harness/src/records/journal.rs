@@ -150,6 +150,15 @@ impl<R: Row> Journal<R> {
     }
 }
 
+impl<R> Drop for Journal<R> {
+    /// Gives the lock back (3). Closing the file would not do while another thread is starting a process: until
+    /// that process has begun, it holds a copy of the file, and the lock with it.
+    fn drop(&mut self) {
+        // Where it cannot be given back, it goes with the last copy.
+        let _ = self.file.unlock();
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
