@@ -1,13 +1,13 @@
 //! The whole call: questions and times, by one processor and by all.
 
 use super::figure::Figure;
+use crate::records::rows::twin;
 use crate::reproduce::day::derived::{in_order, times};
 use crate::reproduce::day::laws::compare;
 use crate::reproduce::day::records::Records;
 use crate::reproduce::day::studies::METHOD;
 use crate::reproduce::day::studies::PARALLEL;
 use crate::reproduce::ratio::{median_time, time_ratio};
-use crate::records::rows::twin;
 use crate::reproduce::render::folder::Folder;
 use crate::reproduce::render::plot::{PALETTE, Scale, Series, Stroke};
 use crate::reproduce::render::sheet::{Sheet, duration, fixed};

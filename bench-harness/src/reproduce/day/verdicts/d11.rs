@@ -1,12 +1,12 @@
 //! D-11: whether the method lends itself to several processors.
 
 use super::{Outcome, Part, Verdict, always, verdict};
+use crate::records::rows::twin;
 use crate::reproduce::day::derived::in_order;
 use crate::reproduce::day::records::Records;
 use crate::reproduce::day::studies::METHOD;
 use crate::reproduce::day::studies::PARALLEL;
 use crate::reproduce::ratio::time_ratio;
-use crate::records::rows::twin;
 use crate::reproduce::verdict::ratio_text;
 
 pub(super) fn judge(records: &Records) -> Verdict {

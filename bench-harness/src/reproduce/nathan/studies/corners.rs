@@ -3,11 +3,11 @@
 //! The first contestant of a cell takes part twice: its second entry shows the noise of a program against itself.
 
 use super::own_corners::{BOTH, Trial, batches};
+use crate::records::rows::twin;
 use crate::reproduce::data::product;
 use crate::reproduce::nathan::definition::{Corners, Studies};
 use crate::reproduce::nathan::records::Records;
 use crate::reproduce::progress::Progress;
-use crate::records::rows::twin;
 use crate::reproduce::rows::TimeRow;
 use crate::reproduce::timing::{Contestant, Sample, interleave};
 use anyhow::Result;

@@ -1,10 +1,10 @@
 //! N-6: it is faster to test a triangle's own corners than to skip them by their indices.
 
 use super::{Outcome, Part, Verdict, verdict};
+use crate::records::rows::twin;
 use crate::reproduce::nathan::records::Records;
 use crate::reproduce::nathan::studies::corners::arm;
 use crate::reproduce::ratio::time_ratio;
-use crate::records::rows::twin;
 use crate::reproduce::verdict::ratio_text;
 use crate::stats::interval::{Place, equivalence};
 use gift_wrap::nathan::OwnCorners;
