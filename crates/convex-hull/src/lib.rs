@@ -135,5 +135,5 @@ pub fn convex_layers(points: &[[f64; 2]], boundary: Boundary) -> Result<Layers, 
 /// # Ok::<(), hullkit::HullError>(())
 /// ```
 pub fn convex_hull_3d(points: &[[f64; 3]]) -> Result<Hull3, HullError> {
-    space::hull_3d(Points::new(points)?, &Exact, &mut Silent)
+    space::hull_3d_unseen(points, &Exact)
 }

@@ -17,7 +17,7 @@ use geometry_core::{
     Basis, Exact, Hull3, HullError, Kernel3, Method, Observer, Point3, Points, Silent, spatial_task,
 };
 use incremental::incremental_brio;
-use quickhull::{fast_3d, fast_3d_parallel};
+use quickhull::{fast_3d, fast_3d_parallel, fast_3d_unseen};
 
 /// The methods that are made of methods of several families.
 pub(crate) const METHODS: &[Method] = &[Method {
@@ -27,7 +27,7 @@ pub(crate) const METHODS: &[Method] = &[Method {
                J. Shun, ParGeo: a library for parallel computational geometry, ESA 2022",
     departures: &[],
     cost: "that of fast-3d or of incremental-brio: O(n) on average where few points are extreme, else O(n log n) expected",
-    task: spatial_task!(hull_3d),
+    task: spatial_task!(hull_3d, |points| hull_3d_unseen(points, &Exact)),
 }];
 
 /// So few points are inserted without looking at a sample.
@@ -52,20 +52,34 @@ pub(crate) fn hull_3d<K: Kernel3, O: Observer>(
     kernel: &K,
     observer: &mut O,
 ) -> Result<Hull3, HullError> {
-    if points.len() < FEW || mostly_extreme(points, kernel)? {
+    if mostly_extreme(points.as_slice(), kernel)? {
         incremental_brio(points, kernel, observer)
     } else {
         fast_3d(points, kernel, observer)
     }
 }
 
-/// [`hull_3d`] on the processors of the current rayon thread pool, where discarding fits the points; insertion runs on one.
-pub(crate) fn hull_3d_parallel(points: &[[f64; 3]]) -> Result<Hull3, HullError> {
-    let view = Points::new(points)?;
-    if view.len() < FEW || mostly_extreme(view, &Exact)? {
-        incremental_brio(view, &Exact, &mut Silent)
-    } else {
-        fast_3d_parallel(points, &Exact)
+/// [`hull_3d`] of points that nobody has looked at yet.
+pub(crate) fn hull_3d_unseen<K: Kernel3>(points: &[Point3], kernel: &K) -> Result<Hull3, HullError> {
+    unseen(points, kernel, fast_3d_unseen)
+}
+
+/// [`hull_3d_unseen`] on the processors of the current rayon thread pool, where discarding fits the points; insertion runs on
+/// one.
+pub(crate) fn hull_3d_parallel(points: &[Point3]) -> Result<Hull3, HullError> {
+    unseen(points, &Exact, fast_3d_parallel)
+}
+
+fn unseen<K: Kernel3>(
+    points: &[Point3],
+    kernel: &K,
+    discard: fn(&[Point3], &K) -> Result<Hull3, HullError>,
+) -> Result<Hull3, HullError> {
+    let is_mostly_extreme = mostly_extreme(points, kernel);
+    // What is wrong with a sample is wrong with all; the error is to name the first.
+    match is_mostly_extreme {
+        Ok(false) => discard(points, kernel),
+        _ => incremental_brio(Points::new(points)?, kernel, &mut Silent),
     }
 }
 
@@ -109,11 +123,15 @@ fn deep(sample: &[Point3]) -> usize {
     sample.iter().filter(is_deep).count()
 }
 
-/// Whether at least four of five points of a sample are extreme in it.
-fn mostly_extreme<K: Kernel3>(points: Points<'_, 3>, kernel: &K) -> Result<bool, HullError> {
+/// Whether the points are few, or at least four of five of a sample are extreme in it.
+fn mostly_extreme<K: Kernel3>(points: &[Point3], kernel: &K) -> Result<bool, HullError> {
+    if points.len() < FEW {
+        return Ok(true);
+    }
     let size = (points.len() / EVERY).min(LARGEST);
-    let all = points.as_slice();
-    let sample: Vec<Point3> = (0..size).map(|i| all[i * all.len() / size]).collect();
+    let sample: Vec<Point3> = (0..size)
+        .map(|i| points[i * points.len() / size])
+        .collect();
     if kernel.basis() == Basis::Coordinates && deep(&sample) >= DEEP {
         return Ok(false);
     }
@@ -144,7 +162,7 @@ mod tests {
     fn is_mostly_extreme(set: &str) -> bool {
         let spec: point_sets::Spec = set.parse().expect("a set");
         let points = spec.generate3(2_000, 3).expect("points");
-        mostly_extreme(Points::new(&points).expect("finite"), &Exact).expect("a hull")
+        mostly_extreme(&points, &Exact).expect("a hull")
     }
 
     #[test]

@@ -118,11 +118,14 @@ macro_rules! planar_task {
 #[macro_export]
 macro_rules! spatial_task {
     ($function:path) => {
+        $crate::spatial_task!($function, |points| {
+            let points = $crate::Points::new(points)?;
+            $function(points, &$crate::Exact, &mut $crate::Silent)
+        })
+    };
+    ($function:path, $unseen:expr) => {
         $crate::method::Task::SpatialHull($crate::method::SpatialHull {
-            unseen: |points| {
-                let points = $crate::Points::new(points)?;
-                $function(points, &$crate::Exact, &mut $crate::Silent)
-            },
+            unseen: $unseen,
             exact: |points| $function(points, &$crate::Exact, &mut $crate::Silent),
             tallied: |points, kernel, tally| $function(points, &kernel, tally),
             recorded: |points, kernel, recorder| $function(points, &kernel, recorder),

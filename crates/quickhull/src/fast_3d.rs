@@ -31,6 +31,7 @@
 
 mod core;
 mod directions;
+mod discard;
 mod left;
 mod plane;
 mod renumbered;
@@ -40,9 +41,9 @@ mod surface;
 
 use crate::quickhull_3d;
 use directions::DirectionMap;
+use discard::{discard, discard_in_shares};
 use geometry_core::{Basis, Hull3, HullError, Kernel3, Observer, Point3, Points, Silent};
 use left::Left;
-use rayon::prelude::*;
 use renumbered::Renumbered;
 use surface::{Surface, surface};
 
@@ -59,8 +60,7 @@ pub const DEPARTURES: &[&str] = &[
 
 /// Where the method on several processors departs from the sequential one.
 pub const PARALLEL_DEPARTURES: &[&str] = &[
-    "the check for finite coordinates and the discards are made by as many threads as there are; the hulls of the sample and \
-     of the points left by one",
+    "the discards are made by as many threads as there are; the hulls of the sample and of the points left by one",
     "steps are reported, and questions counted, by the sequential method, whose steps and questions are the same",
     "otherwise as fast-3d",
 ];
@@ -96,25 +96,48 @@ pub fn fast_3d<K: Kernel3, O: Observer>(
     if kernel.basis() == Basis::Other {
         return quickhull_3d(points, kernel, observer);
     }
-    let Some(map) = map_of_sample(points, None, kernel, observer)? else {
-        let mut observer = Renumbered {
-            observer,
-            ids: None,
-        };
-        return Ok(surface(points, kernel, &mut observer)?.hull(points, kernel));
-    };
-    let left = Left::of(points.as_slice(), 0, &map, observer);
-    hull_of_left(&left, kernel, observer)
+    match map_of_sample(points.as_slice(), None, kernel, observer)? {
+        Some(map) => {
+            let left = discard(points.as_slice(), 0, &map, observer);
+            hull_of_left(&left, kernel, observer)
+        }
+        None => hull_of_all(points, kernel, observer),
+    }
 }
 
-/// [`fast_3d`] on all threads of the current Rayon pool: the same value, whatever their number.
+/// [`fast_3d`] of points that nobody has looked at yet.
 ///
-/// The check for finite coordinates and the discards, which take most of the time for many points, are shared out; the
-/// hulls of the sample and of the points left are not.
+/// The same as of [`Points::new`], without a pass over the points for that: a coordinate that is not finite is never found
+/// inside, so only the points left are searched for one.
 ///
 /// # Errors
 ///
 /// As [`Points::new`] and [`fast_3d`].
+///
+/// ```
+/// use geometry_core::{Exact, HullError};
+///
+/// let mut lattice: Vec<[f64; 3]> = (0..8000).map(|i| [i % 20, i / 20 % 20, i / 400].map(f64::from)).collect();
+/// let hull = quickhull::fast_3d_unseen(&lattice, &Exact)?;
+/// assert_eq!(hull.vertices(), [0, 19, 380, 399, 7600, 7619, 7980, 7999]);
+/// lattice[4000][2] = f64::NAN;
+/// let error = quickhull::fast_3d_unseen(&lattice, &Exact).unwrap_err();
+/// assert!(matches!(error, HullError::NotFinite { index: 4000, axis: 2, .. }));
+/// # Ok::<(), HullError>(())
+/// ```
+pub fn fast_3d_unseen<K: Kernel3>(points: &[Point3], kernel: &K) -> Result<Hull3, HullError> {
+    let discard = |points: &[Point3], map: &DirectionMap| discard(points, 0, map, &mut Silent);
+    unseen(points, kernel, discard)
+}
+
+/// [`fast_3d_unseen`] on all threads of the current Rayon pool: the same value, whatever their number.
+///
+/// The discards, which take most of the time for many points, are shared out; the hulls of the sample and of the points
+/// left are not.
+///
+/// # Errors
+///
+/// As [`fast_3d_unseen`].
 ///
 /// ```
 /// use geometry_core::Exact;
@@ -125,29 +148,38 @@ pub fn fast_3d<K: Kernel3, O: Observer>(
 /// # Ok::<(), geometry_core::HullError>(())
 /// ```
 pub fn fast_3d_parallel<K: Kernel3>(points: &[Point3], kernel: &K) -> Result<Hull3, HullError> {
-    let parts: Result<Vec<Points<'_, 3>>, HullError> =
-        points.par_chunks(SHARE).map(Points::new).collect();
-    let joined = parts.ok().and_then(|parts| Points::joined(points, &parts));
-    let points = match joined {
-        Some(points) => points,
-        // The error names the first bad coordinate of all.
-        None => Points::new(points)?,
-    };
-    if kernel.basis() == Basis::Other {
-        return quickhull_3d(points, kernel, &mut Silent);
-    }
-    let Some(map) = map_of_sample(points, None, kernel, &mut Silent)? else {
-        return fast_3d(points, kernel, &mut Silent);
-    };
-    let shares = points.as_slice().par_chunks(SHARE).enumerate();
-    let left: Vec<Left> = shares
-        .map(|(number, share)| Left::of(share, (number * SHARE) as u32, &map, &mut Silent))
-        .collect();
-    hull_of_left(&Left::joined(left), kernel, &mut Silent)
+    unseen(points, kernel, discard_in_shares)
 }
 
-/// How many points a thread takes at a time: a multiple of a block.
-const SHARE: usize = 1 << 16;
+fn unseen<K: Kernel3>(
+    points: &[Point3],
+    kernel: &K,
+    discard: impl Fn(&[Point3], &DirectionMap) -> Left,
+) -> Result<Hull3, HullError> {
+    if kernel.basis() == Basis::Other || u32::try_from(points.len()).is_err() {
+        return quickhull_3d(Points::new(points)?, kernel, &mut Silent);
+    }
+    let hull = match map_of_sample(points, None, kernel, &mut Silent) {
+        Ok(Some(map)) => hull_of_left(&discard(points, &map), kernel, &mut Silent),
+        Ok(None) => hull_of_all(Points::new(points)?, kernel, &mut Silent),
+        Err(error) => Err(error),
+    };
+    // What is wrong with some of the points is wrong with all; the error is to name the first.
+    hull.map_err(|error| Points::new(points).err().unwrap_or(error))
+}
+
+/// Steps 3 and 4 for all points.
+fn hull_of_all<K: Kernel3, O: Observer>(
+    points: Points<'_, 3>,
+    kernel: &K,
+    observer: &mut O,
+) -> Result<Hull3, HullError> {
+    let mut observer = Renumbered {
+        observer,
+        ids: None,
+    };
+    Ok(surface(points, kernel, &mut observer)?.hull(points, kernel))
+}
 
 /// Steps 3 and 4.
 fn hull_of_left<K: Kernel3, O: Observer>(
@@ -171,7 +203,7 @@ const FEW: usize = 4096;
 ///
 /// `ids` are the caller's indices of the points, if these are only some of the caller's.
 fn map_of_sample<K: Kernel3, O: Observer>(
-    points: Points<'_, 3>,
+    points: &[Point3],
     ids: Option<&[u32]>,
     kernel: &K,
     observer: &mut O,
@@ -183,10 +215,9 @@ fn map_of_sample<K: Kernel3, O: Observer>(
     if let Some(ids) = ids {
         sample.ids.iter_mut().for_each(|id| *id = ids[*id as usize]);
     }
-    let of_sample = Points::new(&sample.points)?;
-    let map = map_of_sample(of_sample, Some(&sample.ids), kernel, observer)?;
+    let map = map_of_sample(&sample.points, Some(&sample.ids), kernel, observer)?;
     let left = map.map(|map| {
-        let mut left = Left::of(&sample.points, 0, &map, observer);
+        let mut left = discard(&sample.points, 0, &map, observer);
         left.ids
             .iter_mut()
             .for_each(|id| *id = sample.ids[*id as usize]);

@@ -22,6 +22,7 @@ use geometry_core::method::{PlanarHull, SpatialHull};
 use geometry_core::{Exact, Method, Task, planar_task, spatial_task};
 
 pub mod balan_quickhull;
+mod blocks;
 pub mod eddy;
 pub mod fast_2d;
 pub mod fast_3d;
@@ -33,7 +34,7 @@ pub mod quickhull_3d;
 pub use balan_quickhull::balan_quickhull;
 pub use eddy::eddy;
 pub use fast_2d::{convex_hull, convex_hull_parallel, fast_2d, fast_2d_parallel};
-pub use fast_3d::{fast_3d, fast_3d_parallel};
+pub use fast_3d::{fast_3d, fast_3d_parallel, fast_3d_unseen};
 pub use quickhull_3d::quickhull_3d;
 
 const FAST_3D: &str = "C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull algorithm for convex hulls, ACM Transactions on \
@@ -105,14 +106,14 @@ pub const METHODS: &[Method] = &[
         citation: FAST_3D,
         departures: fast_3d::DEPARTURES,
         cost: "O(n) on average where few points are extreme, O(n log n) on a sphere, O(n^2) at worst",
-        task: spatial_task!(fast_3d::fast_3d),
+        task: spatial_task!(fast_3d::fast_3d, |points| fast_3d_unseen(points, &Exact)),
     },
     Method {
         slug: "fast-3d-parallel",
         title: "Quickhull after discarding what is inside the hull of a sample, on several processors",
         citation: FAST_3D,
         departures: fast_3d::PARALLEL_DEPARTURES,
-        cost: "that of fast-3d; the check and the discards are shared among the processors",
+        cost: "that of fast-3d; the discards are shared among the processors",
         task: Task::SpatialHull(SpatialHull {
             unseen: |points| fast_3d_parallel(points, &Exact),
             exact: |points| fast_3d_parallel(points.as_slice(), &Exact),

@@ -1,13 +1,11 @@
 //! A part of the plane inside the hull, and the passes that keep the points outside it.
 //!
-//! The passes are plain loops over a block, compiled for each width of vectors that the machine may have; `pulp` picks the
-//! one to run. The arithmetic is the same in all.
+//! The passes are plain loops over [`blocks`](crate::blocks).
 
+pub(super) use crate::blocks::BLOCK;
+use crate::blocks::{filled_up, first_bits};
 use geometry_core::Point2;
 use smallvec::SmallVec;
-
-/// Points are tested in blocks of so many, a bit of a word for each.
-pub(super) const BLOCK: usize = 64;
 
 /// Up to so many points are kept without allocation.
 pub(super) const INLINE: usize = 128;
@@ -144,7 +142,7 @@ impl<R: Region> pulp::NullaryFnOnce for Fill<'_, R> {
         }
         if !rest.is_empty() {
             let block = filled_up(rest);
-            let bits = region.not_inside(&block) & (u64::MAX >> (BLOCK - rest.len()));
+            let bits = region.not_inside(&block) & first_bits(rest.len());
             kept.add(&block, first, bits);
         }
     }
@@ -166,7 +164,7 @@ impl<R: Region> pulp::NullaryFnOnce for Thin<'_, R> {
         for start in (0..points_kept.len()).step_by(BLOCK) {
             let len = BLOCK.min(points_kept.len() - start);
             let block = filled_up(&points_kept[start..start + len]);
-            let mut bits = self.region.not_inside(&block) & (u64::MAX >> (BLOCK - len));
+            let mut bits = self.region.not_inside(&block) & first_bits(len);
             // What is written lies before what is still to be read.
             while bits != 0 {
                 let place = bits.trailing_zeros() as usize;
@@ -179,12 +177,4 @@ impl<R: Region> pulp::NullaryFnOnce for Thin<'_, R> {
         points.truncate(count);
         ids.truncate(count);
     }
-}
-
-/// A block that begins with the points, which are at least one and at most [`BLOCK`].
-#[inline(always)]
-fn filled_up(points: &[Point2]) -> [Point2; BLOCK] {
-    let mut block = [points[0]; BLOCK];
-    block[..points.len()].copy_from_slice(points);
-    block
 }

@@ -10,6 +10,7 @@
 //! of themselves, and so are the rounded w_i / a_i, as a_i ≥ r. Made smaller by the factor 1 - m, where m ≥ 2048 ε M / r,
 //! the body lies in the interior with all that rounding takes for it.
 
+use crate::blocks::BLOCK;
 use geometry_core::Point3;
 
 /// The kind of the body.
@@ -55,54 +56,32 @@ impl Core {
         }
     }
 
-    /// How many of the points it holds.
-    pub(super) fn count(&self, points: &[Point3]) -> usize {
-        let mut outside = [0; BLOCK];
-        let blocks = points.chunks(BLOCK);
-        let kept: usize = blocks.map(|block| self.outside(block, &mut outside)).sum();
-        points.len() - kept
-    }
-
-    /// Writes the places of the points of a block that it does not hold, and returns how many these are.
+    /// The points of a block that it does not hold, a bit for each. It never holds one with a coordinate that is not finite.
     #[inline(always)]
-    pub(super) fn outside(&self, block: &[Point3], places: &mut [u8; BLOCK]) -> usize {
+    pub(super) fn not_held(&self, block: &[Point3; BLOCK]) -> u64 {
+        let most = self.most;
         match self.shape {
-            Shape::Ellipsoid => self.beyond(block, places, |[x, y, z]| x * x + y * y + z * z),
-            Shape::Box => self.beyond(block, places, |w| {
-                let [x, y, z] = w.map(f64::abs);
-                let larger = if x > y { x } else { y };
-                if larger > z { larger } else { z }
+            Shape::Ellipsoid => self.beyond(block, |[x, y, z]| x * x + y * y + z * z <= most),
+            Shape::Box => self.beyond(block, |[x, y, z]| {
+                (x.abs() <= most) & (y.abs() <= most) & (z.abs() <= most)
             }),
         }
     }
 
-    /// First the measures, which the compiler computes several at a time, then the places, without a branch.
+    /// First the coordinates side by side, then the answers: the compiler computes several of each at a time.
     #[inline(always)]
-    fn beyond(
-        &self,
-        block: &[Point3],
-        places: &mut [u8; BLOCK],
-        measure: impl Fn(Point3) -> f64,
-    ) -> usize {
-        let mut measures = [0.0; BLOCK];
-        for (slot, p) in measures.iter_mut().zip(block) {
-            *slot = measure([0, 1, 2].map(|i| (p[i] - self.centre[i]) * self.scales[i]));
+    fn beyond(&self, block: &[Point3; BLOCK], holds: impl Fn(Point3) -> bool) -> u64 {
+        let mut scaled = [[0.0; BLOCK]; 3];
+        for (place, p) in block.iter().enumerate() {
+            for axis in 0..3 {
+                scaled[axis][place] = (p[axis] - self.centre[axis]) * self.scales[axis];
+            }
         }
-        let mut kept = 0;
-        for (place, &measure) in (0..).zip(&measures[..block.len().min(BLOCK)]) {
-            places[kept] = place;
-            // Not `measure > most`: an overflow may have made it NaN.
-            let is_held = measure <= self.most;
-            kept += usize::from(!is_held);
+        let [x, y, z] = &scaled;
+        let mut held = 0;
+        for place in 0..BLOCK {
+            held |= u64::from(holds([x[place], y[place], z[place]])) << place;
         }
-        kept
+        !held
     }
-}
-
-/// The number of points looked at together.
-pub(super) const BLOCK: usize = 64;
-
-/// The places of all points of a block.
-pub(super) fn all_places() -> [u8; BLOCK] {
-    std::array::from_fn(|place| place as u8)
 }

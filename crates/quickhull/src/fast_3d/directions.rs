@@ -51,7 +51,9 @@
 
 mod view;
 
-use super::core::{BLOCK, Core, all_places};
+use super::core::Core;
+use super::discard::count_inside;
+use crate::blocks::{BLOCK, places};
 use geometry_core::mesh::TriMesh;
 use geometry_core::{Point3, Points};
 use view::View;
@@ -91,6 +93,27 @@ pub(super) struct DirectionMap {
     pub(super) core: Option<Core>,
 }
 
+/// What is computed of the points of a block.
+#[derive(Debug)]
+pub(super) struct Scratch {
+    places: [u8; BLOCK],
+    from_centre: [[f64; BLOCK]; 3],
+    numbers: [f64; BLOCK],
+}
+
+impl Default for Scratch {
+    fn default() -> Self {
+        Self {
+            places: [0; BLOCK],
+            from_centre: [[0.0; BLOCK]; 3],
+            numbers: [0.0; BLOCK],
+        }
+    }
+}
+
+/// Numbers are computed for a multiple of so many points: the width of the widest vectors.
+const LANES: usize = 8;
+
 /// 1.5 · 2⁵²: adding it rounds to an integer, which is then in the low bits.
 const TO_INTEGER: f64 = 6755399441055744.0;
 
@@ -115,7 +138,7 @@ impl DirectionMap {
         }
         let from_points = Self::from(median(sample), points, mesh, side, sample);
         let maps = [from_points, from_middle].into_iter().flatten();
-        maps.max_by_key(|map| (map.core.is_some(), map.count(sample)))
+        maps.max_by_key(|map| (map.core.is_some(), count_inside(map, sample)))
     }
 
     fn from(
@@ -146,47 +169,37 @@ impl DirectionMap {
         })
     }
 
-    /// Keeps, of the first `kept` places of a block, those of points that are not certainly inside; returns how many.
+    /// The points of a block that are not certainly inside, a bit for each. One with a coordinate that is not finite never
+    /// is.
     ///
-    /// Nothing about a point decides a branch, and the numbers of the cells are computed several at a time.
+    /// Of a point that the core does not hold, nothing decides a branch, and the numbers of the cells are computed several at a
+    /// time.
     #[inline(always)]
-    pub(super) fn keep_outside(
-        &self,
-        block: &[Point3],
-        places: &mut [u8; BLOCK],
-        kept: usize,
-    ) -> usize {
-        let mut from_centre = [[0.0; BLOCK]; 3];
-        for (slot, &place) in places[..kept].iter().enumerate() {
-            let w = minus(block[usize::from(place)], self.centre);
-            (0..3).for_each(|axis| from_centre[axis][slot] = w[axis]);
+    pub(super) fn not_inside(&self, block: &[Point3; BLOCK], scratch: &mut Scratch) -> u64 {
+        let asked = match &self.core {
+            Some(core) => core.not_held(block),
+            None => u64::MAX,
+        };
+        let mut count = 0;
+        for place in places(asked) {
+            scratch.places[count] = place as u8;
+            let w = minus(block[place], self.centre);
+            (0..3).for_each(|axis| scratch.from_centre[axis][count] = w[axis]);
+            count += 1;
         }
-        let [xs, ys, zs] = &from_centre;
-        let mut numbers = [0.0; BLOCK];
-        for slot in 0..kept.next_multiple_of(4).min(BLOCK) {
-            numbers[slot] = self.number([xs[slot], ys[slot], zs[slot]]);
+        let [xs, ys, zs] = &scratch.from_centre;
+        for slot in 0..count.next_multiple_of(LANES).min(BLOCK) {
+            scratch.numbers[slot] = self.number([xs[slot], ys[slot], zs[slot]]);
         }
         let mut outside = 0;
-        for (slot, &number) in numbers[..kept].iter().enumerate() {
-            let place = places[slot];
-            let p = block[usize::from(place)];
+        for (&place, &number) in scratch.places[..count].iter().zip(&scratch.numbers) {
+            let p = block[usize::from(place) % BLOCK];
             let cell = self.cells[(number + TO_INTEGER).to_bits() as u32 as usize];
             let [x, y, z] = [0, 1, 2].map(|i| cell.normal[i] * p[i]);
             let is_inside = x + y + z <= cell.limit;
-            places[outside] = place;
-            outside += usize::from(!is_inside);
+            outside |= u64::from(!is_inside) << place;
         }
         outside
-    }
-
-    /// How many of the points are certainly inside.
-    fn count(&self, points: &[Point3]) -> usize {
-        let blocks = points.chunks(BLOCK);
-        let outside = blocks.map(|block| {
-            let mut places = all_places();
-            self.keep_outside(block, &mut places, block.len())
-        });
-        points.len() - outside.sum::<usize>()
     }
 
     /// The number of the cell in which a point w from the centre lies, or that of the last, of which nothing is known,
@@ -207,7 +220,13 @@ impl DirectionMap {
         let face = pick(0.0, 2.0, 4.0) + if major < 0.0 { 1.0 } else { 0.0 };
         let number = (face * self.side + row) * self.side + column;
         let is_known = (major.abs() > 0.0) & (major.abs() <= self.reach);
-        if is_known { number } else { self.unknown }
+        // A coordinate that is NaN may be any of the three.
+        let is_number = (number >= 0.0) & (number < self.unknown);
+        if is_known & is_number {
+            number
+        } else {
+            self.unknown
+        }
     }
 
     /// The column, or row, of a quotient in -1..=1.

@@ -1,7 +1,7 @@
 //! The outside sets of all facets, the points themselves and not their numbers, in one vector.
 //!
 //! A set is a stretch of `sites`. A set made anew goes to the end; one taken away leaves a gap. When there is no more
-//! room at the end, all sets are moved together, and if that does not free half of the vector, it grows.
+//! room at the end, all sets are moved together, and if that does not free a third of the vector, it grows.
 //!
 //! ```text
 //!     sites   | facet 0 |  gap  | facet 7 | facet 8 |  gap  | facet 3 | room |
@@ -35,8 +35,8 @@ pub(super) struct OutsideSets {
     sets: Vec<Set>,
     end: usize,
     live: usize,
-    /// The other vector for moving the sets together.
-    moved: Vec<Site>,
+    /// The facets in the order of their sets.
+    order: Vec<u32>,
 }
 
 impl OutsideSets {
@@ -101,25 +101,30 @@ impl OutsideSets {
 
     #[cold]
     fn make_room(&mut self, len: usize) {
+        self.close_gaps();
         let needed = self.live + len;
-        if 2 * needed > self.sites.len() {
-            self.moved = Vec::new();
-            self.moved.reserve_exact(2 * needed);
+        let enough = needed + needed / 2;
+        if enough > self.sites.len() {
+            self.sites.reserve_exact(enough - self.sites.len());
+            self.sites.resize(enough, Site::default());
         }
-        let room = self.sites.len().max(2 * needed);
-        self.moved.clear();
-        for set in &mut self.sets {
-            let start = self.moved.len();
-            self.moved
-                .extend_from_slice(&self.sites[set.start..set.start + set.len as usize]);
-            set.start = start;
-        }
-        self.end = self.moved.len();
-        self.moved.resize(room, Site::default());
-        std::mem::swap(&mut self.sites, &mut self.moved);
-        self.moved.clear();
-        if self.moved.capacity() < room {
-            self.moved = Vec::new();
+    }
+
+    /// Moves all sets to the front, in the order in which they lie.
+    fn close_gaps(&mut self) {
+        let is_there = |slot: &u32| self.sets[*slot as usize].len > 0;
+        self.order.clear();
+        self.order
+            .extend((0..self.sets.len() as u32).filter(is_there));
+        self.order
+            .sort_unstable_by_key(|&slot| self.sets[slot as usize].start);
+        self.end = 0;
+        for &slot in &self.order {
+            let Set { start, len, .. } = &mut self.sets[slot as usize];
+            let sites = *start..*start + *len as usize;
+            *start = self.end;
+            self.end += sites.len();
+            self.sites.copy_within(sites, *start);
         }
     }
 }

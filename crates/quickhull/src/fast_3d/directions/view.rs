@@ -3,6 +3,7 @@
 //! The steps of the proof in the parent's header are meant throughout.
 
 use super::super::core::{Core, Shape};
+use super::super::discard::count_inside;
 use super::{Cell, minus};
 use geometry_core::mesh::{SideId, TriMesh, TriangleId};
 use geometry_core::{Point3, Points};
@@ -94,7 +95,7 @@ impl<'a> View<'a> {
         let normals = || cells.iter().map(|cell| self.normal_about_centre(cell));
         let best = [Shape::Ellipsoid, Shape::Box]
             .map(|shape| Core::below(shape, self.centre, self.axes, self.margin, normals()))
-            .map(|core| (core.count(sample), core))
+            .map(|core| (count_inside(&core, sample), core))
             .into_iter()
             .max_by_key(|&(count, _)| count)?;
         (4 * best.0 >= sample.len()).then_some(best.1)
