@@ -60,7 +60,10 @@ pub(crate) fn hull_3d<K: Kernel3, O: Observer>(
 }
 
 /// [`hull_3d`] of points that nobody has looked at yet.
-pub(crate) fn hull_3d_unseen<K: Kernel3>(points: &[Point3], kernel: &K) -> Result<Hull3, HullError> {
+pub(crate) fn hull_3d_unseen<K: Kernel3>(
+    points: &[Point3],
+    kernel: &K,
+) -> Result<Hull3, HullError> {
     unseen(points, kernel, fast_3d_unseen)
 }
 
@@ -129,9 +132,7 @@ fn mostly_extreme<K: Kernel3>(points: &[Point3], kernel: &K) -> Result<bool, Hul
         return Ok(true);
     }
     let size = (points.len() / EVERY).min(LARGEST);
-    let sample: Vec<Point3> = (0..size)
-        .map(|i| points[i * points.len() / size])
-        .collect();
+    let sample: Vec<Point3> = (0..size).map(|i| points[i * points.len() / size]).collect();
     if kernel.basis() == Basis::Coordinates && deep(&sample) >= DEEP {
         return Ok(false);
     }

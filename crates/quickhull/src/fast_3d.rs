@@ -11,9 +11,10 @@
 //! 1. Find the hull of a sample, in the same way.
 //! 2. From a centre in it, map directions to how far that hull certainly reaches (`directions`). One look-up and one product
 //!    discard a point.
-//! 3. Run quickhull on the points left, with a rounded height and a proved bound for each facet (`plane`), the
+//! 3. Do the same to the points left, while that discards many: they lie near the surface, and so does a sample of them.
+//! 4. Run quickhull on the points left, with a rounded height and a proved bound for each facet (`plane`), the
 //!    points moved in memory and not chased (`sets`), and points in the plane of a facet counted as inside (`surface`).
-//! 4. Merge coplanar triangles, exactly, and drop corners that are not extreme.
+//! 5. Merge coplanar triangles, exactly, and drop corners that are not extreme.
 //!
 //! **Bound.** Of n points, a share of h(m)/m lies outside the hull of a sample of m, where h(m) is the number of extreme
 //! points of such a sample (Efron 1965). The map is O(n) with a constant that does not depend on the hull. Where h(m) grows
@@ -96,10 +97,10 @@ pub fn fast_3d<K: Kernel3, O: Observer>(
     if kernel.basis() == Basis::Other {
         return quickhull_3d(points, kernel, observer);
     }
-    match map_of_sample(points.as_slice(), None, kernel, observer)? {
+    match map_of_sample(points.as_slice(), kernel, observer)? {
         Some(map) => {
             let left = discard(points.as_slice(), 0, &map, observer);
-            hull_of_left(&left, kernel, observer)
+            hull_of_left(left, kernel, observer)
         }
         None => hull_of_all(points, kernel, observer),
     }
@@ -159,8 +160,8 @@ fn unseen<K: Kernel3>(
     if kernel.basis() == Basis::Other || u32::try_from(points.len()).is_err() {
         return quickhull_3d(Points::new(points)?, kernel, &mut Silent);
     }
-    let hull = match map_of_sample(points, None, kernel, &mut Silent) {
-        Ok(Some(map)) => hull_of_left(&discard(points, &map), kernel, &mut Silent),
+    let hull = match map_of_sample(points, kernel, &mut Silent) {
+        Ok(Some(map)) => hull_of_left(discard(points, &map), kernel, &mut Silent),
         Ok(None) => hull_of_all(Points::new(points)?, kernel, &mut Silent),
         Err(error) => Err(error),
     };
@@ -168,7 +169,7 @@ fn unseen<K: Kernel3>(
     hull.map_err(|error| Points::new(points).err().unwrap_or(error))
 }
 
-/// Steps 3 and 4 for all points.
+/// Steps 4 and 5 for all points.
 fn hull_of_all<K: Kernel3, O: Observer>(
     points: Points<'_, 3>,
     kernel: &K,
@@ -181,12 +182,13 @@ fn hull_of_all<K: Kernel3, O: Observer>(
     Ok(surface(points, kernel, &mut observer)?.hull(points, kernel))
 }
 
-/// Steps 3 and 4.
+/// Steps 3 to 5 for the points left, which it narrows down first.
 fn hull_of_left<K: Kernel3, O: Observer>(
-    left: &Left,
+    left: Left,
     kernel: &K,
     observer: &mut O,
 ) -> Result<Hull3, HullError> {
+    let left = narrowed(left, kernel, observer)?;
     let points = Points::new(&left.points)?;
     let mut observer = Renumbered {
         observer,
@@ -196,33 +198,72 @@ fn hull_of_left<K: Kernel3, O: Observer>(
     Ok(hull.renumbered(&left.ids))
 }
 
+/// Step 3.
+///
+/// What is left lies close to the surface, so that a sample of it is worth a far larger one of all points.
+fn narrowed<K: Kernel3, O: Observer>(
+    mut left: Left,
+    kernel: &K,
+    observer: &mut O,
+) -> Result<Left, HullError> {
+    let mut before = usize::MAX;
+    while left.points.len() >= MANY && left.points.len() <= before - before / 4 {
+        before = left.points.len();
+        let sample = left.sample(before / 8);
+        let Some(map) = map_of(sample, FINEST, kernel, observer)? else {
+            break;
+        };
+        left = thinned(&left, &map, observer);
+    }
+    Ok(left)
+}
+
+/// Those of some points that the map does not find inside.
+fn thinned<O: Observer>(left: &Left, map: &DirectionMap, observer: &mut O) -> Left {
+    let mut observer = Renumbered {
+        observer,
+        ids: Some(&left.ids),
+    };
+    let mut thinned = discard(&left.points, 0, map, &mut observer);
+    for id in &mut thinned.ids {
+        *id = left.ids[*id as usize];
+    }
+    thinned
+}
+
 /// With fewer points than this, a sample does not pay.
 const FEW: usize = 4096;
 
-/// Steps 1 and 2: none if the points are few, or if nothing would be discarded.
-///
-/// `ids` are the caller's indices of the points, if these are only some of the caller's.
+/// With fewer points left than this, a sample of them does not pay.
+const MANY: usize = 1 << 16;
+
+/// Steps 1 and 2 for all points: no map if they are few, or if nothing would be discarded.
 fn map_of_sample<K: Kernel3, O: Observer>(
     points: &[Point3],
-    ids: Option<&[u32]>,
     kernel: &K,
     observer: &mut O,
 ) -> Result<Option<DirectionMap>, HullError> {
     if points.len() < FEW {
         return Ok(None);
     }
-    let mut sample = Left::sample(points, sample_size(points.len()));
-    if let Some(ids) = ids {
-        sample.ids.iter_mut().for_each(|id| *id = ids[*id as usize]);
+    let sample = Left::sample_of(points, sample_size(points.len()));
+    map_of(sample, cells_to_a_side(points.len()), kernel, observer)
+}
+
+/// The map of the hull of a sample, with so many cells to the side of a face.
+fn map_of<K: Kernel3, O: Observer>(
+    sample: Left,
+    side: usize,
+    kernel: &K,
+    observer: &mut O,
+) -> Result<Option<DirectionMap>, HullError> {
+    let mut left = None;
+    if sample.points.len() >= FEW {
+        let size = sample_size(sample.points.len());
+        let side_within = cells_to_a_side(sample.points.len());
+        let map = map_of(sample.sample(size), side_within, kernel, observer)?;
+        left = map.map(|map| thinned(&sample, &map, observer));
     }
-    let map = map_of_sample(&sample.points, Some(&sample.ids), kernel, observer)?;
-    let left = map.map(|map| {
-        let mut left = discard(&sample.points, 0, &map, observer);
-        left.ids
-            .iter_mut()
-            .for_each(|id| *id = sample.ids[*id as usize]);
-        left
-    });
     let left = left.as_ref().unwrap_or(&sample);
     let points_left = Points::new(&left.points)?;
     let mut observer = Renumbered {
@@ -236,7 +277,6 @@ fn map_of_sample<K: Kernel3, O: Observer>(
     if mesh.len() > sample.points.len() {
         return Ok(None);
     }
-    let side = cells_to_a_side(points.len());
     Ok(DirectionMap::of(points_left, &mesh, side, &sample.points))
 }
 
@@ -248,13 +288,47 @@ fn sample_size(n: usize) -> usize {
     (2.0 * (n as f64).powf(2.0 / 3.0)) as usize
 }
 
-/// How many cells to the side of a face of the cube: more would not fit the cache, or not pay.
+/// The most cells to the side of a face of the cube: more would not fit the cache, or not pay.
+const FINEST: usize = 32;
+
+/// How many cells to the side of a face of the cube pay for n points.
 fn cells_to_a_side(n: usize) -> usize {
     if n < 1 << 15 {
         8
     } else if n < 1 << 18 {
         16
     } else {
-        32
+        FINEST
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geometry_core::Exact;
+
+    #[test]
+    fn narrowing_keeps_what_is_extreme() -> Result<(), HullError> {
+        let n = 200_000;
+        let spec: point_sets::Spec = "ball".parse().expect("a set");
+        let ball = spec.generate3(n as usize, 1).expect("points");
+        let all = Left {
+            ids: (0..n).step_by(2).collect(),
+            points: ball.iter().step_by(2).copied().collect(),
+        };
+        let expected = hull_of_all(Points::new(&all.points)?, &Exact, &mut Silent)?;
+        let expected = expected.renumbered(&all.ids);
+        let narrowed = narrowed(all, &Exact, &mut Silent)?;
+        assert!(narrowed.points.len() < n as usize / 4);
+        let at = |id: &u32| ball[*id as usize];
+        assert!(
+            narrowed
+                .ids
+                .iter()
+                .map(at)
+                .eq(narrowed.points.iter().copied())
+        );
+        assert_eq!(hull_of_left(narrowed, &Exact, &mut Silent)?, expected);
+        Ok(())
     }
 }

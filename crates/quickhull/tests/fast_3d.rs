@@ -112,10 +112,9 @@ fn large_sets_have_the_hull_that_exact_answers_give() -> Result<(), HullError> {
     for (name, points) in large_sets() {
         let hull = exact(&points)?;
         assert!(fast(&points)? == hull, "{name}");
-        assert!(
-            quickhull::fast_3d_parallel(&points, &Exact)? == hull,
-            "{name}"
-        );
+        for unseen in [quickhull::fast_3d_unseen, quickhull::fast_3d_parallel] {
+            assert!(unseen(&points, &Exact)? == hull, "{name}");
+        }
         for change in reorderings(&points, 7).into_iter().take(4) {
             let answer = fast(&change.points)?;
             assert!(answer == carried(&hull, &change), "{name}, {}", change.name);
@@ -124,20 +123,39 @@ fn large_sets_have_the_hull_that_exact_answers_give() -> Result<(), HullError> {
     Ok(())
 }
 
+/// A coordinate that is not finite is never discarded, in whatever body or cell the others are.
 #[test]
-fn the_first_bad_coordinate_is_named_by_all_threads() {
-    let mut points = random::cube(1, 300_000);
-    points[250_000][1] = f64::INFINITY;
-    points[270_000][0] = f64::NAN;
-    let error = quickhull::fast_3d_parallel(&points, &Exact);
-    assert!(matches!(
-        error,
-        Err(HullError::NotFinite {
-            index: 250_000,
-            axis: 1,
-            ..
-        })
-    ));
+fn the_first_bad_coordinate_of_unseen_points_is_named() {
+    let n = 20_000;
+    let ball: point_sets::Spec = "ball".parse().expect("a set");
+    let sets = [
+        ("cube", random::cube(1, n)),
+        ("ball", ball.generate3(n, 2).expect("points")),
+        ("lattice", grids::lattice(28)),
+        ("copies", random::cube(3, n / 8).repeat(8)),
+    ];
+    let mut rng = ChaCha8Rng::seed_from_u64(4);
+    for (name, points) in sets {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for trial in 0..30 {
+                let (first, wrong) = (rng.random_range(0..points.len()), trial % 3);
+                let mut points = points.clone();
+                points[first][wrong] = bad;
+                let later = rng.random_range(first..points.len());
+                points[later][wrong] = bad;
+                let answers = [
+                    quickhull::fast_3d_unseen(&points, &Exact),
+                    quickhull::fast_3d_parallel(&points, &Exact),
+                ];
+                for answer in answers {
+                    let Err(HullError::NotFinite { index, axis, .. }) = answer else {
+                        panic!("{name}, {bad}, {first}, {later}: {answer:?}");
+                    };
+                    assert_eq!((index, axis), (first, wrong), "{name}, {bad}, {later}");
+                }
+            }
+        }
+    }
 }
 
 /// Points of a facet's plane count as inside, so they cost nothing; a perturbed kernel makes half of them vertices.

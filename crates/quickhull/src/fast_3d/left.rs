@@ -25,7 +25,7 @@ impl Left {
     }
 
     /// One point in so many, spread evenly over the points but not at equal distances, as a lattice would not stand that.
-    pub(super) fn sample(points: &[Point3], size: usize) -> Self {
+    pub(super) fn sample_of(points: &[Point3], size: usize) -> Self {
         /// 2⁶⁴ divided by the golden ratio: its multiples are spread evenly over 0..2⁶⁴.
         const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
         let block = points.len() / size.max(1);
@@ -38,5 +38,14 @@ impl Left {
             points: ids.iter().map(|&id| points[id as usize]).collect(),
             ids,
         }
+    }
+
+    /// [`sample_of`](Self::sample_of) these.
+    pub(super) fn sample(&self, size: usize) -> Self {
+        let mut sample = Self::sample_of(&self.points, size);
+        for id in &mut sample.ids {
+            *id = self.ids[*id as usize];
+        }
+        sample
     }
 }
