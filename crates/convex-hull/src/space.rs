@@ -1,14 +1,15 @@
 //! Hulls in space by the method that fits the points.
 //!
 //! Where few points are extreme, the quickest way is to throw the others away and to look at what is left; where nearly
-//! all are, there is nothing to throw away, and points are best inserted one beside the other. Which it is, is told by the
-//! hull of a sample: the share of its points that are extreme is at least that of all points (1).
+//! all are, there is nothing to throw away, and points are best inserted one beside the other. Which it is, is told by a
+//! sample: the share of its points that are extreme is at least that of all points (1).
 //!
 //! 1. A point of the sample that is extreme among all points is extreme in the sample.
 //! 2. Both methods are exact, so the choice changes the time and nothing else.
 //!
 //! In most sets of the first kind that is plain before the hull of the sample is known: some of its points lie in a
-//! tetrahedron of four others.
+//! tetrahedron of four others, or many on a face of the box around it. For sets so small that the hull of a sample would take a
+//! good part of the time, nothing else is looked at.
 //!
 //! The sample is every so-many-th point, so that the choice is the same on every machine. A set in a perverse order can
 //! mislead it, and then costs what the other method costs.
@@ -30,23 +31,31 @@ pub(crate) const METHODS: &[Method] = &[Method {
     task: spatial_task!(hull_3d, |points| hull_3d_unseen(points, &Exact)),
 }];
 
-/// So few points are inserted without looking at a sample.
-const FEW: usize = 400;
+/// So few points are inserted without looking at them.
+const FEW: usize = 24;
 
-/// A sample has one of so many points, but no more than [`LARGEST`].
+/// With fewer points, the hull of a sample does not pay.
+const SAMPLED_FROM: usize = 1024;
+
+/// A sample has one of so many points, but no fewer than [`SMALLEST`] and no more than [`LARGEST`].
 const EVERY: usize = 16;
+
+/// The smallest sample.
+const SMALLEST: usize = 64;
 
 /// The largest sample.
 const LARGEST: usize = 200;
 
 /// With so many points of a sample deep inside, its hull need not be known: they are more than strays.
-const DEEP: usize = 3;
+const DEEP: usize = 2;
+
+/// With one of so many points of a sample on one face of the box around it, they are more than its corners.
+const ON_FACE: usize = 8;
 
 /// A point is deep inside a tetrahedron if its weights are above this.
 const MARGIN: f64 = 1.0 / (1 << 20) as f64;
 
-/// The hull of `points`, by `incremental-brio` where at least four of five points of a sample are extreme, else by
-/// `fast-3d`.
+/// The hull of `points`, by `incremental-brio` where most seem to be extreme, else by `fast-3d`.
 pub(crate) fn hull_3d<K: Kernel3, O: Observer>(
     points: Points<'_, 3>,
     kernel: &K,
@@ -126,15 +135,53 @@ fn deep(sample: &[Point3]) -> usize {
     sample.iter().filter(is_deep).count()
 }
 
-/// Whether the points are few, or at least four of five of a sample are extreme in it.
+/// The half of the points that is closer to their middle: where some points lie far out, the others may be close together beside a
+/// tetrahedron of those.
+fn inner_half(sample: &[Point3]) -> Vec<Point3> {
+    let mut numbers: Vec<f64> = Vec::with_capacity(sample.len());
+    let mut median = |values: &mut dyn Iterator<Item = f64>| {
+        numbers.clear();
+        numbers.extend(values);
+        let half = numbers.len() / 2;
+        *numbers.select_nth_unstable_by(half, f64::total_cmp).1
+    };
+    let middle = [0, 1, 2].map(|axis| median(&mut sample.iter().map(|p| p[axis])));
+    let distance = |p: &Point3| {
+        let w = minus(*p, middle);
+        dot(w, w)
+    };
+    let reach = median(&mut sample.iter().map(distance));
+    let is_inner = |p: &&Point3| distance(p) < reach;
+    sample.iter().filter(is_inner).copied().collect()
+}
+
+/// Whether one in [`ON_FACE`] of the points lies on one face of the box around them.
+fn many_on_a_face(sample: &[Point3]) -> bool {
+    (0..3).any(|axis| {
+        let along = || sample.iter().map(|p| p[axis]);
+        let ends = [
+            along().fold(f64::INFINITY, f64::min),
+            along().fold(f64::NEG_INFINITY, f64::max),
+        ];
+        ends.into_iter()
+            .any(|end| ON_FACE * along().filter(|&x| x == end).count() >= sample.len())
+    })
+}
+
+/// Whether the points are few, or most of them seem to be extreme.
 fn mostly_extreme<K: Kernel3>(points: &[Point3], kernel: &K) -> Result<bool, HullError> {
     if points.len() < FEW {
         return Ok(true);
     }
-    let size = (points.len() / EVERY).min(LARGEST);
+    let size = (points.len() / EVERY).clamp(SMALLEST, LARGEST);
+    let size = size.min(points.len());
     let sample: Vec<Point3> = (0..size).map(|i| points[i * points.len() / size]).collect();
-    if kernel.basis() == Basis::Coordinates && deep(&sample) >= DEEP {
+    let is_about_coordinates = kernel.basis() == Basis::Coordinates;
+    if is_about_coordinates && (deep(&sample) >= DEEP || many_on_a_face(&sample)) {
         return Ok(false);
+    }
+    if points.len() < SAMPLED_FROM {
+        return Ok(!is_about_coordinates || deep(&inner_half(&sample)) < DEEP);
     }
     let hull = incremental_brio(Points::new(&sample)?, kernel, &mut Silent)?;
     Ok(5 * hull.len() >= 4 * size)
@@ -160,26 +207,28 @@ fn cross(u: Point3, v: Point3) -> Point3 {
 mod tests {
     use super::*;
 
-    fn is_mostly_extreme(set: &str) -> bool {
+    fn is_mostly_extreme(set: &str, n: usize) -> bool {
         let spec: point_sets::Spec = set.parse().expect("a set");
-        let points = spec.generate3(2_000, 3).expect("points");
+        let points = spec.generate3(n, 3).expect("points");
         mostly_extreme(&points, &Exact).expect("a hull")
     }
 
     #[test]
     fn samples_tell_spheres_from_balls() {
-        for set in ["sphere", "paraboloid", "moment-curve"] {
-            assert!(is_mostly_extreme(set), "{set}");
-        }
-        for set in [
-            "ball",
-            "cube",
-            "normal3",
-            "cauchy3",
-            "cubic-lattice",
-            "cube-faces",
-        ] {
-            assert!(!is_mostly_extreme(set), "{set}");
+        for n in [100, 1_000, 5_000] {
+            for set in ["sphere", "paraboloid", "moment-curve"] {
+                assert!(is_mostly_extreme(set, n), "{set}, {n}");
+            }
+            for set in [
+                "ball",
+                "cube",
+                "normal3",
+                "cauchy3",
+                "cubic-lattice",
+                "cube-faces",
+            ] {
+                assert!(!is_mostly_extreme(set, n), "{set}, {n}");
+            }
         }
     }
 
@@ -195,6 +244,12 @@ mod tests {
         for set in ["ball", "cube", "normal3"] {
             assert!(deep_in(set) >= DEEP, "{set}");
         }
+        let inner = |set: &str| {
+            let spec: point_sets::Spec = set.parse().expect("a set");
+            inner_half(&spec.generate3(SMALLEST, 5).expect("points"))
+        };
+        assert_eq!(deep(&inner("sphere")), 0);
+        assert!(deep(&inner("cauchy3")) >= DEEP);
         assert_eq!(deep(&[]), 0);
         assert_eq!(deep(&[[1.0; 3]; 9]), 0);
     }
