@@ -12,7 +12,7 @@ use super::order::Keys;
 use super::region::INLINE;
 use geometry_core::kernel::lexicographic;
 use geometry_core::{Boundary, Hull2, Kernel2, Observer, Point2, Sign, Step};
-use smallvec::{SmallVec, smallvec};
+use smallvec::SmallVec;
 
 /// The points that may be vertices.
 #[derive(Clone, Copy)]
@@ -44,7 +44,9 @@ pub(super) fn hull_of<K: Kernel2, O: Observer>(
     }
     let [least, most] = [left, right].map(|place| points[place as usize][0]);
     let keys = Keys::new(points.len(), least, most);
-    let mut sides = Sides::of(points, (left, right), boundary, keys, kernel);
+    let mut list = SmallVec::<[u64; INLINE]>::new();
+    list.resize(points.len(), 0);
+    let mut sides = Sides::of(points, (left, right), boundary, keys, &mut list, kernel);
     let flat = sides.lower == 0 && sides.upper == 0;
     let [lower, upper] = sides.sorted(points, keys);
     let mut chain = Chain {
@@ -52,7 +54,8 @@ pub(super) fn hull_of<K: Kernel2, O: Observer>(
         boundary,
         kernel,
         observer,
-        places: Vec::with_capacity((lower.len() + upper.len() + 2).min(1024)),
+        // The left end is pushed again at the end.
+        places: Vec::with_capacity((lower.len() + upper.len() + 3).min(1024)),
     };
     chain.places.push(left);
     if flat {
@@ -85,25 +88,25 @@ fn ends(points: &[Point2]) -> Option<(u32, u32)> {
 
 /// The keys of the points on the two sides of the line through the ends: those of the lower side at the front, those of
 /// the upper side at the back, of a list that has room for all.
-struct Sides {
-    keys: SmallVec<[u64; INLINE]>,
+struct Sides<'a> {
+    keys: &'a mut [u64],
     lower: usize,
     upper: usize,
     /// Under [`Boundary::All`], the keys of points on the line.
     on_line: Vec<u64>,
 }
 
-impl Sides {
+impl<'a> Sides<'a> {
     fn of<K: Kernel2>(
         points: &[Point2],
         (left, right): (u32, u32),
         boundary: Boundary,
         keys: Keys,
+        list: &'a mut [u64],
         kernel: &K,
     ) -> Self {
         let [left, right] = [left, right].map(|place| place as usize);
         let [a, b] = [left, right].map(|place| points[place]);
-        let mut list: SmallVec<[u64; INLINE]> = smallvec![0; points.len()];
         let mut on_line = Vec::new();
         let (mut front, mut back) = (0, points.len());
         for (place, &point) in points.iter().enumerate() {
