@@ -111,12 +111,14 @@ fn sort_by_counting(triangles: &mut [[u32; 3]], largest: u32) {
     let range = |corners: &[u32; 3]| (corners[0] >> RANGE_BITS) as usize;
     let mut unsorted = vec![[0; 3]; triangles.len()];
     let ends = place_by_key(triangles, &mut unsorted, range(&[largest; 3]), range);
+    let star = |corners: &[u32; 3]| corners[0] as usize % (1 << RANGE_BITS);
     let mut start = 0;
-    for end in ends {
-        let star = |corners: &[u32; 3]| corners[0] as usize % (1 << RANGE_BITS);
+    for (range, end) in ends.into_iter().enumerate() {
         let sorted = &mut triangles[start..end as usize];
         let unsorted = &unsorted[start..end as usize];
-        let ends = place_by_key(unsorted, sorted, (1 << RANGE_BITS) - 1, star);
+        let rest = largest as usize - (range << RANGE_BITS);
+        let largest_star = rest.min((1 << RANGE_BITS) - 1);
+        let ends = place_by_key(unsorted, sorted, largest_star, star);
         sort_stars(sorted, &ends);
         start = end as usize;
     }
