@@ -222,6 +222,7 @@ fn times(run: &Run, places: &Places) -> Vec<TimeRow> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::records::rows::twin;
     use crate::records::{Case, Count, Manifest, Sample};
     use std::num::NonZeroU64;
 
