@@ -64,7 +64,7 @@ impl Hull3 {
     ///
     /// One orientation an edge and O(f) time for f triangles; O(k log k) more for a facet of k triangles.
     pub fn from_mesh<K: Kernel3>(points: Points<'_, 3>, mesh: &TriMesh, kernel: &K) -> Self {
-        Self::from_mesh_of(points, None, mesh, Edges::Unknown, kernel)
+        Self::from_known_mesh(points, mesh, Edges::Unknown, kernel)
     }
 
     /// [`from_mesh`](Self::from_mesh), not asking about edges of which enough is known.
@@ -74,7 +74,9 @@ impl Hull3 {
         edges: Edges,
         kernel: &K,
     ) -> Self {
-        Self::from_mesh_of(points, None, mesh, edges, kernel)
+        let (merged, larger) = facets::facets(points, mesh, edges, kernel);
+        let vertices = vertices(points, None, mesh, &merged, &larger);
+        Self::in_order(points.len(), vertices, mesh, &merged, larger)
     }
 
     /// [`from_known_mesh`](Self::from_known_mesh) for a mesh whose corners are indices into `points` in some order of its own;
@@ -88,45 +90,31 @@ impl Hull3 {
     pub fn from_renumbered_mesh<K: Kernel3>(
         points: Points<'_, 3>,
         names: &[u32],
-        mesh: &TriMesh,
+        mut mesh: TriMesh,
         edges: Edges,
         kernel: &K,
     ) -> Self {
-        Self::from_mesh_of(points, Some(names), mesh, edges, kernel)
+        let (merged, mut larger) = facets::facets(points, &mesh, edges, kernel);
+        let vertices = vertices(points, Some(names), &mesh, &merged, &larger);
+        // Once, so that all that follows reads memory in order.
+        let name = |id: u32| names[id as usize];
+        mesh.renumber(name);
+        for corner in &mut larger.corners {
+            *corner = name(*corner);
+        }
+        Self::in_order(points.len(), vertices, &mesh, &merged, larger)
     }
 
-    fn from_mesh_of<K: Kernel3>(
-        points: Points<'_, 3>,
-        names: Option<&[u32]>,
+    /// The solid with these vertices, whose facets are the triangles of `mesh` not `merged`, and the `larger` ones.
+    fn in_order(
+        count: usize,
+        vertices: Vec<u32>,
         mesh: &TriMesh,
-        edges: Edges,
-        kernel: &K,
+        merged: &Marks,
+        larger: Loops,
     ) -> Self {
-        let (merged, mut larger) = facets::facets(points, mesh, edges, kernel);
-        let triangles = || {
-            let whole = mesh
-                .triangles()
-                .filter(|triangle| !merged.contains(triangle.0));
-            whole.map(|triangle| mesh.corners(triangle))
-        };
-        let vertices = if merged.is_empty() && mesh.len() / 2 + 2 == points.len() {
-            // By Euler's formula all points are corners.
-            points.ids().collect()
-        } else {
-            let larger = larger.corners.iter().copied();
-            named(points, names, triangles().flatten().chain(larger))
-        };
-        let facets = match names {
-            None => canonical::in_order(points.len(), triangles, larger),
-            Some(names) => {
-                let name = |id: u32| names[id as usize];
-                for corner in &mut larger.corners {
-                    *corner = name(*corner);
-                }
-                let triangles = || triangles().map(|corners| corners.map(name));
-                canonical::in_order(points.len(), triangles, larger)
-            }
-        };
+        let triangles = || whole_triangles(mesh, merged);
+        let facets = canonical::in_order(count, triangles, larger);
         Hull3::Solid(Solid { vertices, facets })
     }
 
@@ -267,6 +255,34 @@ impl Solid {
     pub fn edge_count(&self) -> usize {
         self.facets.corners.len() / 2
     }
+}
+
+/// The triangles that are facets by themselves.
+fn whole_triangles<'a>(
+    mesh: &'a TriMesh,
+    merged: &'a Marks,
+) -> impl Iterator<Item = [u32; 3]> + 'a {
+    let whole = mesh
+        .triangles()
+        .filter(|triangle| !merged.contains(triangle.0));
+    whole.map(|triangle| mesh.corners(triangle))
+}
+
+/// The names of the corners of all facets, ascending.
+fn vertices(
+    points: Points<'_, 3>,
+    names: Option<&[u32]>,
+    mesh: &TriMesh,
+    merged: &Marks,
+    larger: &Loops,
+) -> Vec<u32> {
+    if merged.is_empty() && mesh.len() / 2 + 2 == points.len() {
+        // By Euler's formula all points are corners.
+        return points.ids().collect();
+    }
+    let larger = larger.corners.iter().copied();
+    let corners = whole_triangles(mesh, merged).flatten().chain(larger);
+    named(points, names, corners)
 }
 
 /// The names of `corners`, ascending.

@@ -148,6 +148,15 @@ impl TriMesh {
         self.triangles[triangle.0 as usize].origins[0] = NONE;
     }
 
+    /// Gives every corner another number, which must be below `u32::MAX`.
+    pub fn renumber(&mut self, number: impl Fn(u32) -> u32) {
+        for triangle in &mut self.triangles {
+            if triangle.origins[0] != NONE {
+                triangle.origins = triangle.origins.map(&number);
+            }
+        }
+    }
+
     /// Makes two sides each other's twins.
     #[inline]
     pub fn link(&mut self, side: SideId, twin: SideId) {
@@ -317,5 +326,8 @@ mod tests {
         assert_eq!((mesh.len(), mesh.slots()), (6, 6));
         let corners: Vec<_> = made.iter().map(|&t| mesh.corners(t)).collect();
         assert_eq!(corners, [[0, 1, 4], [1, 3, 4], [3, 0, 4]]);
+        mesh.renumber(|id| 10 * id);
+        assert!(mesh.is_sound());
+        assert_eq!(mesh.corners(made[1]), [10, 30, 40]);
     }
 }

@@ -127,7 +127,7 @@ pub fn incremental_brio<K: Kernel3, O: Observer>(
     Ok(Hull3::from_renumbered_mesh(
         moved,
         &names,
-        &mesh,
+        mesh,
         edges,
         kernel.kernel,
     ))
