@@ -43,13 +43,16 @@ fn degenerate(rng: &mut ChaCha8Rng) -> Vec<[f64; 2]> {
         .collect()
 }
 
+/// Seeds on which a method once was wrong, or did not end: few points, all as deep in the shape.
+const FOUND: [u64; 1] = [60_010];
+
 /// `FAST_LAYERS_SETS=1000000 cargo test --release -p planar-peeling` for more.
 #[test]
 fn gives_what_chains_give() {
     let sets = std::env::var("FAST_LAYERS_SETS").map_or(2_000, |sets| {
         sets.parse().expect("FAST_LAYERS_SETS is a number")
     });
-    for seed in 0..sets {
+    for seed in (0..sets).chain(FOUND) {
         let points = degenerate(&mut ChaCha8Rng::seed_from_u64(seed));
         for boundary in BOUNDARIES {
             let expected = by_chains(&points, boundary);

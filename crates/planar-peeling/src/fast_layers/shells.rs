@@ -81,7 +81,8 @@ impl Shells {
         let mut outside = vec![Entry::default(); entries.len()];
         let inner = outline.split(entries, &mut outside, kernel);
         outside.truncate(entries.len() - inner);
-        if outside.len().min(inner) < entries.len() / 8 {
+        // One point at least on either side, or this would go on for ever.
+        if outside.len().min(inner) < (entries.len() / 8).max(1) {
             *entries = merged(&entries[..inner], &outside);
             return false;
         }
