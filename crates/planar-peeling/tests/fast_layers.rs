@@ -43,8 +43,9 @@ fn degenerate(rng: &mut ChaCha8Rng) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// Seeds on which a method once was wrong, or did not end: few points, all as deep in the shape.
-const FOUND: [u64; 1] = [60_010];
+/// Seeds on which this once did not end, as few points were all as deep in the shape, or was wrong, as points on an upright
+/// edge were taken to be inside.
+const FOUND: [u64; 2] = [60_010, 857_783];
 
 /// `FAST_LAYERS_SETS=1000000 cargo test --release -p planar-peeling` for more.
 #[test]

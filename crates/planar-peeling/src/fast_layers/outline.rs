@@ -83,13 +83,16 @@ impl Outline {
         kernel: &K,
     ) -> usize {
         let mut between = Between::new([&self.lower, &self.upper]);
+        // A point of an upright edge on the left is between the chains, but not inside.
+        let leftmost = self.lower.first().map_or(f64::MAX, |q| q[0]);
         let mut inner = 0;
         for place in 0..entries.len() {
             // Both are written and one counts: where a point lies, no branch could foresee.
             let entry = entries[place];
             outside[place - inner] = entry;
             entries[inner] = entry;
-            inner += usize::from(between.holds(entry.point, Sign::Positive, kernel));
+            let is_between = between.holds(entry.point, Sign::Positive, kernel);
+            inner += usize::from(is_between & (entry.point[0] > leftmost));
         }
         inner
     }
