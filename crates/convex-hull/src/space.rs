@@ -9,7 +9,7 @@
 //!
 //! In most sets of the first kind that is plain before the hull of the sample is known: some of its points lie in a
 //! tetrahedron of four others, or many on a face of the box around it. For sets so small that the hull of a sample would take a
-//! good part of the time, nothing else is looked at.
+//! good part of the time, the half of the sample about its middle is asked for such a tetrahedron instead.
 //!
 //! The sample is every so-many-th point, so that the choice is the same on every machine. A set in a perverse order can
 //! mislead it, and then costs what the other method costs.

@@ -68,7 +68,8 @@
 //! 8. Then, too, a point with the outline below it is not on the lower half of the hull, and one above it not on the
 //!    upper: all active points that are neither left nor right of the outline need be in one tree only.
 //! 9. At least as many points join as were left, so that to build the trees anew costs O(1) a point that
-//!    joins. A split leaves an eighth of the points on either side or is not made, so a point takes part in O(log n).
+//!    joins. A split leaves an eighth of the points, and one at least, on either side or is not made, so a point takes part in
+//!    O(log n).
 //!
 //! Which points of an edge are on a hull ([`Boundary`]) is the same for all nodes, so that 3 holds under both
 //! conventions: under [`Boundary::All`] the ends of a bridge are the innermost points on its line, else the outermost.

@@ -18,7 +18,7 @@
 //!
 //! **Bound.** Of n points, a share of h(m)/m lies outside the hull of a sample of m, where h(m) is the number of extreme
 //! points of such a sample (Efron 1965). The map is O(n) with a constant that does not depend on the hull. Where h(m) grows
-//! slower than m, all is O(n) on average. Space: the points left, twice, and 150 bytes a facet.
+//! slower than m, all is O(n) on average. Space: the points left, two and a half times, and 150 bytes a facet.
 //!
 //! **Exactness.** A rounded answer is used only where it is proved right. All others come from the kernel, which is also
 //! asked about the first tetrahedron and when facets are merged.
