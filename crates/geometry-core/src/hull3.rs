@@ -47,8 +47,8 @@ pub enum Edges {
     /// Any two neighbours may be coplanar.
     Unknown,
     /// The mesh was grown by [`TriMesh::close`] or [`TriMesh::replace`] from a tetrahedron, and each apex was strictly
-    /// inside of the facets just beyond its rim. So only triangles of one cone may be coplanar neighbours, and these
-    /// are known by their third corner.
+    /// inside of the facets just beyond its rim. So only triangles of one cone may be coplanar neighbours: the second side
+    /// of the one is the third of the other.
     BentAtRims,
 }
 

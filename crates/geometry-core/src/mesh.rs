@@ -70,8 +70,14 @@ impl SideId {
 
     /// The corner of its triangle, 0, 1 or 2, at which it begins.
     #[inline(always)]
-    fn corner(self) -> usize {
-        self.0 as usize % 4
+    pub fn corner(self) -> u32 {
+        self.0 % 4
+    }
+
+    /// The same, as a place in an array of three.
+    #[inline(always)]
+    fn place(self) -> usize {
+        self.corner() as usize
     }
 
     /// Where its triangle is in the arena.
@@ -160,8 +166,8 @@ impl TriMesh {
     /// Makes two sides each other's twins.
     #[inline]
     pub fn link(&mut self, side: SideId, twin: SideId) {
-        self.triangles[side.slot()].twins[side.corner()] = twin.0;
-        self.triangles[twin.slot()].twins[twin.corner()] = side.0;
+        self.triangles[side.slot()].twins[side.place()] = twin.0;
+        self.triangles[twin.slot()].twins[twin.place()] = side.0;
     }
 
     /// Whether the triangle is on the surface, that is, not removed.
@@ -179,7 +185,7 @@ impl TriMesh {
     /// Where a side begins.
     #[inline(always)]
     pub fn origin(&self, side: SideId) -> u32 {
-        self.triangles[side.slot()].origins[side.corner()]
+        self.triangles[side.slot()].origins[side.place()]
     }
 
     /// Where a side ends.
@@ -197,13 +203,19 @@ impl TriMesh {
     /// The same edge in the opposite direction, a side of the neighbour.
     #[inline(always)]
     pub fn twin(&self, side: SideId) -> SideId {
-        SideId(self.triangles[side.slot()].twins[side.corner()])
+        SideId(self.triangles[side.slot()].twins[side.place()])
     }
 
     /// The same edges as the sides of a triangle, as sides of its neighbours.
     #[inline(always)]
     pub fn twins(&self, triangle: TriangleId) -> [SideId; 3] {
         self.triangles[triangle.0 as usize].twins.map(SideId)
+    }
+
+    /// The side after this one, clockwise, of those that begin at the same corner.
+    #[inline(always)]
+    pub fn next_around(&self, side: SideId) -> SideId {
+        self.twin(side).next()
     }
 
     /// The number of slots for triangles, living or free: an upper bound on the numbers in use.
@@ -274,9 +286,9 @@ impl TriMesh {
         let after = taken_out[1..].iter().chain([&first]);
         for ((&beyond, &triangle), after) in horizon.iter().zip(&*taken_out).zip(after) {
             let neighbour = &mut self.triangles[beyond.slot()];
-            let from = neighbour.origins[beyond.next().corner()];
-            let to = neighbour.origins[beyond.corner()];
-            neighbour.twins[beyond.corner()] = triangle.side(0).0;
+            let from = neighbour.origins[beyond.next().place()];
+            let to = neighbour.origins[beyond.place()];
+            neighbour.twins[beyond.place()] = triangle.side(0).0;
             is_closed &= (from == begins) & (neighbour.origins[0] != NONE);
             begins = to;
             self.triangles[triangle.0 as usize] = Triangle {

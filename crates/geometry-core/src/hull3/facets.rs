@@ -135,12 +135,11 @@ impl<K: Kernel3> Merger<'_, K> {
                         filled += usize::from(twin.triangle() < triangle);
                     }
                 }
-                // In a cone, the side after the rim is that of the next triangle.
+                // In a cone, the side after the rim is that of the next triangle, its last; a triangle made later has its first there.
                 Edges::BentAtRims => {
                     let twin = self.mesh.twin(triangle.side(1));
-                    let [of, and] = [triangle, twin.triangle()].map(|t| self.mesh.corners(t)[2]);
                     batch[filled] = (triangle, twin);
-                    filled += usize::from(of == and);
+                    filled += usize::from(twin.corner() == 2);
                 }
             }
             if filled + 3 > batch.len() {
