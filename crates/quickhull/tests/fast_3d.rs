@@ -7,7 +7,7 @@ use geometry_core::{
 };
 use hull_verify::conformance::space::change::{carried, reorderings};
 use hull_verify::families_space::{grids, random, round};
-use rand::{Rng, RngExt, SeedableRng};
+use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 fn fast(points: &[Point3]) -> Result<Hull3, HullError> {
@@ -24,50 +24,10 @@ fn sets() -> u64 {
     chosen.and_then(|text| text.parse().ok()).unwrap_or(3_000)
 }
 
-/// A set of up to forty points of a kind that the seed chooses.
-fn difficult(seed: u64) -> Vec<Point3> {
-    let mut rng = ChaCha8Rng::seed_from_u64(seed);
-    let n = rng.random_range(1..40);
-    let kind = rng.random_range(0..9);
-    let mut points: Vec<Point3> = (0..n).map(|_| difficult_point(kind, &mut rng)).collect();
-    if rng.random_bool(0.3) {
-        let copies = rng.random_range(1..=n);
-        (0..copies).for_each(|_| points.push(points[rng.random_range(0..points.len())]));
-    }
-    points
-}
-
-fn difficult_point(kind: u32, rng: &mut impl Rng) -> Point3 {
-    let mut lattice = |most: i32| [(); 3].map(|()| f64::from(rng.random_range(-most..=most)));
-    match kind {
-        0 => lattice(1),
-        1 => lattice(3),
-        // Far from the origin, so that differences of coordinates are exact and products are not.
-        2 => lattice(5).map(|x| x * 0.1 + 1e8),
-        // Up to an ulp off an oblique plane.
-        3 => {
-            let [x, y, z] = lattice(4);
-            let (x, y) = (x * 0.1, y * 0.3);
-            let plane = 1.0 + x / 3.0 + y / 7.0;
-            [x, y, plane + z.signum() * f64::EPSILON]
-        }
-        // Mixed magnitudes.
-        4 => lattice(9).map(|x| x.signum() * 10.0_f64.powf(x.abs() * 30.0 - 135.0)),
-        5 => lattice(4).map(|x| x * 1e300 / 4.0),
-        6 => lattice(4).map(|x| x * 5e-324),
-        // The corners of two parallel oblique planes, exactly.
-        7 => {
-            let [x, y, z] = lattice(4);
-            [x, y, x + y + 8.0 * f64::from(u8::from(z > 0.0))]
-        }
-        _ => [(); 3].map(|()| rng.random_range(-1.0..1.0)),
-    }
-}
-
 #[test]
 fn difficult_sets_have_the_hull_that_exact_answers_give() -> Result<(), HullError> {
     for seed in 0..sets() {
-        let points = difficult(seed);
+        let points = random::difficult(seed);
         assert_eq!(fast(&points)?, exact(&points)?, "seed {seed}: {points:?}");
     }
     Ok(())

@@ -1,7 +1,7 @@
 //! Random points, by seed.
 
 use geometry_core::Point3;
-use rand::{RngExt, SeedableRng};
+use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 /// `n` points of the k × k × k integer grid, with repetition.
@@ -63,4 +63,44 @@ pub fn near_a_line(seed: u64, n: usize) -> Vec<Point3> {
             [x, x / 3.0 + off(), x / 5.0 + off()]
         })
         .collect()
+}
+
+/// Up to forty points, of a kind that the seed chooses, with or without copies: lattices, planes, all magnitudes.
+pub fn difficult(seed: u64) -> Vec<Point3> {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let n = rng.random_range(1..40);
+    let kind = rng.random_range(0..9);
+    let mut points: Vec<Point3> = (0..n).map(|_| difficult_point(kind, &mut rng)).collect();
+    if rng.random_bool(0.3) {
+        let copies = rng.random_range(1..=n);
+        (0..copies).for_each(|_| points.push(points[rng.random_range(0..points.len())]));
+    }
+    points
+}
+
+fn difficult_point(kind: u32, rng: &mut impl Rng) -> Point3 {
+    let mut lattice = |most: i32| [(); 3].map(|()| f64::from(rng.random_range(-most..=most)));
+    match kind {
+        0 => lattice(1),
+        1 => lattice(3),
+        // Far from the origin, so that differences of coordinates are exact and products are not.
+        2 => lattice(5).map(|x| x * 0.1 + 1e8),
+        // Up to an ulp off an oblique plane.
+        3 => {
+            let [x, y, z] = lattice(4);
+            let (x, y) = (x * 0.1, y * 0.3);
+            let plane = 1.0 + x / 3.0 + y / 7.0;
+            [x, y, plane + z.signum() * f64::EPSILON]
+        }
+        // Mixed magnitudes.
+        4 => lattice(9).map(|x| x.signum() * 10.0_f64.powf(x.abs() * 30.0 - 135.0)),
+        5 => lattice(4).map(|x| x * 1e300 / 4.0),
+        6 => lattice(4).map(|x| x * 5e-324),
+        // The corners of two parallel oblique planes, exactly.
+        7 => {
+            let [x, y, z] = lattice(4);
+            [x, y, x + y + 8.0 * f64::from(u8::from(z > 0.0))]
+        }
+        _ => [(); 3].map(|()| rng.random_range(-1.0..1.0)),
+    }
 }
