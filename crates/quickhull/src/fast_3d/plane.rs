@@ -46,6 +46,9 @@ const RELATIVE: f64 = 9.0 * (f64::EPSILON / 2.0);
 /// 2⁻¹⁰⁰⁰.
 const UNDERFLOW: f64 = f64::from_bits((1023 - 1000) << 52);
 
+/// See [`Plane::doubt`].
+const NO_DOUBT: f64 = -1.0;
+
 /// How far the points of a set are apart along each axis, and whether heights are exact (case 1).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
@@ -134,7 +137,11 @@ fn are_small_integers(points: &[Point3], low: Point3, extents: Point3) -> bool {
 pub(super) struct Plane {
     normal: Point3,
     through: Point3,
+    /// No height is off by more than this.
     bound: f64,
+    /// Heights no greater than this in magnitude are unsure: the bound, or less than nothing where that is zero, as then heights are
+    /// exact, zero too.
+    doubt: f64,
 }
 
 /// What a rounded height tells.
@@ -154,6 +161,7 @@ impl Plane {
         normal: [0.0; 3],
         through: [0.0; 3],
         bound: f64::NAN,
+        doubt: f64::NAN,
     };
 
     /// The plane through a, b, c, which run anticlockwise seen from outside, for points of the set with this span.
@@ -176,20 +184,23 @@ impl Plane {
                 normal,
                 through: a,
                 bound: 0.0,
+                doubt: NO_DOUBT,
             };
         }
         let sum = magnitudes[0] * span.extents[0]
             + magnitudes[1] * span.extents[1]
             + magnitudes[2] * span.extents[2]
             + UNDERFLOW;
+        let bound = if sum <= f64::MAX / 4.0 {
+            span.relative * sum
+        } else {
+            f64::NAN
+        };
         Self {
             normal,
             through: a,
-            bound: if sum <= f64::MAX / 4.0 {
-                span.relative * sum
-            } else {
-                f64::NAN
-            },
+            bound,
+            doubt: if bound == 0.0 { NO_DOUBT } else { bound },
         }
     }
 
@@ -201,17 +212,76 @@ impl Plane {
             + self.normal[2] * (p[2] - self.through[2])
     }
 
+    /// How far it is up along the normal from one point to another, in the same unit; rounded, and off by less than the
+    /// bound.
+    #[inline(always)]
+    pub(super) fn rise(&self, from: Point3, to: Point3) -> f64 {
+        self.normal[0] * (to[0] - from[0])
+            + self.normal[1] * (to[1] - from[1])
+            + self.normal[2] * (to[2] - from[2])
+    }
+
+    /// Whether a [`rise`](Self::rise) is certainly one.
+    #[inline(always)]
+    pub(super) fn is_surely_up(&self, rise: f64) -> bool {
+        rise > self.bound
+    }
+
+    /// Whether a [`rise`](Self::rise) is certainly none.
+    #[inline(always)]
+    pub(super) fn is_surely_not_up(&self, rise: f64) -> bool {
+        rise <= -self.bound
+    }
+
+    /// Of the corners of the box around a set, one that is highest along the normal.
+    #[inline(always)]
+    pub(super) fn highest_corner(&self, span: &Span) -> Point3 {
+        [0, 1, 2].map(|axis| {
+            if self.normal[axis] > 0.0 {
+                span.high[axis]
+            } else {
+                span.low[axis]
+            }
+        })
+    }
+
+    /// Whether all points that are not higher along the rounded normal than one of this height are strictly below the plane.
+    #[inline(always)]
+    pub(super) fn is_surely_beneath(&self, height: f64) -> bool {
+        height < -4.0 * self.bound
+    }
+
     /// What this height of a point tells for certain.
     #[inline(always)]
     pub(super) fn side(&self, height: f64) -> Side {
-        if height > self.bound {
-            Side::Outside
-        } else if height <= -self.bound {
-            Side::Within
-        } else {
+        if self.is_unsure(height) {
             Side::Unsure
+        } else if self.is_outside(height) {
+            Side::Outside
+        } else {
+            Side::Within
         }
     }
+
+    /// Whether a point of this height is outside, if that is [sure](Self::is_unsure).
+    #[inline(always)]
+    pub(super) fn is_outside(&self, height: f64) -> bool {
+        height > self.bound
+    }
+
+    /// Whether this height leaves it open which side the point is on, as NaN does.
+    ///
+    /// Not told by comparing with the bound on either side, as compilers make a jump of that which nobody can foresee.
+    #[inline(always)]
+    pub(super) fn is_unsure(&self, height: f64) -> bool {
+        !is_above(height.abs(), self.doubt)
+    }
+}
+
+/// False if one of them is NaN.
+#[inline(always)]
+fn is_above(x: f64, y: f64) -> bool {
+    x > y
 }
 
 /// Case 2 of the header: the unit normal.

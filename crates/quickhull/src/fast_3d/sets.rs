@@ -20,12 +20,11 @@ pub(super) struct Site {
     pub(super) id: u32,
 }
 
-/// The set of one facet: `sites[start..start + len]`, and which of them is furthest.
+/// The set of one facet: `sites[start..start + len]`.
 #[derive(Clone, Copy, Debug, Default)]
 struct Set {
     start: usize,
     len: u32,
-    furthest: u32,
 }
 
 /// The outside sets of the facets of a surface, by facet.
@@ -49,7 +48,7 @@ impl OutsideSets {
     }
 
     /// Makes the first `len` points written to the room, at least one, the set of `facet`, which has none.
-    pub(super) fn put(&mut self, facet: TriangleId, len: usize, furthest: usize) {
+    pub(super) fn put(&mut self, facet: TriangleId, len: usize) {
         let slot = facet.0 as usize;
         if slot >= self.sets.len() {
             self.sets.resize(slot + 1, Set::default());
@@ -57,7 +56,6 @@ impl OutsideSets {
         self.sets[slot] = Set {
             start: self.end,
             len: len as u32,
-            furthest: furthest as u32,
         };
         self.end += len;
         self.live += len;
@@ -68,7 +66,7 @@ impl OutsideSets {
         let Some(set) = self.sets.get_mut(facet.0 as usize) else {
             return;
         };
-        let Set { start, len, .. } = std::mem::take(set);
+        let Set { start, len } = std::mem::take(set);
         let end = start + len as usize;
         if len == 0 {
             return;
@@ -80,14 +78,22 @@ impl OutsideSets {
         }
     }
 
-    /// Takes the furthest point of the set of `facet` out of it.
-    pub(super) fn take_furthest(&mut self, facet: TriangleId) -> Option<Site> {
+    /// Takes a point of the set of `facet` out of it, the one that `choose` finds the place of; none if the set has none.
+    pub(super) fn take_by(
+        &mut self,
+        facet: TriangleId,
+        choose: impl FnOnce(&[Site]) -> usize,
+    ) -> Option<Site> {
         let set = self.sets.get_mut(facet.0 as usize)?;
+        if set.len == 0 {
+            return None;
+        }
         let sites = &mut self.sites[set.start..set.start + set.len as usize];
-        let furthest = sites.get_mut(set.furthest as usize..)?;
-        let site = *furthest.first()?;
+        let place = choose(sites);
+        let chosen = &mut sites[place..];
+        let site = chosen[0];
         // The others stay in order.
-        furthest.copy_within(1.., 0);
+        chosen.copy_within(1.., 0);
         self.end -= usize::from(set.start + set.len as usize == self.end);
         set.len -= 1;
         self.live -= 1;
@@ -120,7 +126,7 @@ impl OutsideSets {
             .sort_unstable_by_key(|&slot| self.sets[slot as usize].start);
         self.end = 0;
         for &slot in &self.order {
-            let Set { start, len, .. } = &mut self.sets[slot as usize];
+            let Set { start, len } = &mut self.sets[slot as usize];
             let sites = *start..*start + *len as usize;
             *start = self.end;
             self.end += sites.len();

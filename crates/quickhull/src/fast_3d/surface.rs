@@ -136,7 +136,9 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
     fn next_apex(&mut self) -> Option<(TriangleId, Site)> {
         loop {
             let facet = self.pending.next()?;
-            if let Some(apex) = self.outside.take_furthest(facet) {
+            let plane = self.planes[facet.0 as usize];
+            let apex = self.outside.take_by(facet, |sites| furthest(sites, &plane));
+            if let Some(apex) = apex {
                 return Some((facet, apex));
             }
         }
@@ -209,38 +211,29 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
 
     /// Moves the points of the pool that are outside `facet` to its outside set.
     ///
-    /// Neither the side of a point nor whether it is the furthest so far decides a branch: the processor could not foresee them.
+    /// The side of a point does not decide a branch: the processor could not foresee it.
     fn claim(&mut self, facet: TriangleId) {
         let corners = self.mesh.corners(facet);
-        let plane = &self.planes[facet.0 as usize];
+        let plane = self.planes[facet.0 as usize];
         let len = self.pool.len();
         let pool = &mut self.pool[..len];
         let room = &mut self.outside.room(len)[..len];
         let (mut outside, mut rest) = (0, 0);
-        let (mut furthest, mut greatest, mut is_tied) = (0, f64::NEG_INFINITY, false);
         for place in 0..len {
             self.observer.step(|| Step::Visit(pool[place].id));
             let height = plane.height(pool[place].at);
-            let side = plane.side(height);
-            let mut is_out = side == Side::Outside;
-            if side == Side::Unsure {
+            let mut is_out = plane.is_outside(height);
+            if plane.is_unsure(height) {
                 is_out = is_outside(self.points, self.kernel, corners, &pool[place].at);
             }
             room[outside] = pool[place];
             pool[rest] = pool[place];
-            is_tied |= is_out & (height == greatest);
-            let is_further = is_out & (height > greatest);
-            greatest = if is_further { height } else { greatest };
-            furthest = if is_further { outside } else { furthest };
             outside += usize::from(is_out);
             rest += usize::from(!is_out);
         }
-        if is_tied {
-            furthest = last_of_furthest(&room[..outside], plane, furthest);
-        }
         self.pool.truncate(rest);
         if outside > 0 {
-            self.outside.put(facet, outside, furthest);
+            self.outside.put(facet, outside);
             let stored = self.outside.stored();
             self.observer.step(|| Step::Storage(stored as u32));
             self.pending.put_off(facet);
@@ -248,13 +241,22 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
     }
 }
 
-/// Of the points as high as the one at `furthest`, the place of the lexicographically largest, which is more often extreme than
-/// the others; of its copies the first, because the others are dropped. Copies are in the order of their indices in
-/// every set, as they always go together.
-#[cold]
-fn last_of_furthest(sites: &[Site], plane: &Plane, furthest: usize) -> usize {
-    let height = plane.height(sites[furthest].at);
-    let as_high = (0..sites.len()).filter(|&place| plane.height(sites[place].at) == height);
+/// The place of the furthest of some points outside a facet: of those at one height the lexicographically largest, which is
+/// more often extreme than the others; of its copies the first, because the others are dropped. Copies are in the order of
+/// their indices in every set, as they always go together.
+fn furthest(sites: &[Site], plane: &Plane) -> usize {
+    let (mut furthest, mut greatest, mut is_tied) = (0, f64::NEG_INFINITY, false);
+    for (place, site) in sites.iter().enumerate() {
+        let height = plane.height(site.at);
+        is_tied |= height == greatest;
+        let is_further = height > greatest;
+        greatest = if is_further { height } else { greatest };
+        furthest = if is_further { place } else { furthest };
+    }
+    if !is_tied {
+        return furthest;
+    }
+    let as_high = (0..sites.len()).filter(|&place| plane.height(sites[place].at) == greatest);
     as_high.fold(furthest, |best, place| {
         if sites[place].at > sites[best].at {
             place
