@@ -30,21 +30,26 @@
 //! one centre, so it is blunt for a set a million times longer than wide, and not used for one 2²⁸ times as far from
 //! the origin as wide; the answer is right all the same.
 
+mod below;
 mod core;
 mod directions;
 mod discard;
+mod halves;
 mod left;
+mod parallel;
 mod plane;
 mod renumbered;
+mod seam;
 mod sets;
 mod simplex;
 mod surface;
 
 use crate::quickhull_3d;
 use directions::DirectionMap;
-use discard::{discard, discard_in_shares};
+use discard::discard;
 use geometry_core::{Basis, Hull3, HullError, Kernel3, Observer, Point3, Points, Silent};
 use left::Left;
+pub use parallel::{PARALLEL_DEPARTURES, fast_3d_parallel};
 use renumbered::Renumbered;
 use surface::{Surface, surface};
 
@@ -57,13 +62,6 @@ pub const DEPARTURES: &[&str] = &[
     "points inside the hull of a sample are discarded first",
     "the furthest point is chosen by a rounded height: any point outside will do",
     "a point in the plane of a facet counts as inside it; exactly coplanar facets are merged at the end",
-];
-
-/// Where the method on several processors departs from the sequential one.
-pub const PARALLEL_DEPARTURES: &[&str] = &[
-    "the discards are made by as many threads as there are; the hulls of the sample and of the points left by one",
-    "steps are reported, and questions counted, by the sequential method, whose steps and questions are the same",
-    "otherwise as fast-3d",
 ];
 
 /// The convex hull of points of which few are extreme.
@@ -127,41 +125,26 @@ pub fn fast_3d<K: Kernel3, O: Observer>(
 /// # Ok::<(), HullError>(())
 /// ```
 pub fn fast_3d_unseen<K: Kernel3>(points: &[Point3], kernel: &K) -> Result<Hull3, HullError> {
-    let discard = |points: &[Point3], map: &DirectionMap| discard(points, 0, map, &mut Silent);
-    unseen(points, kernel, discard)
+    unseen(points, kernel, || {
+        let Some(map) = map_of_sample(points, kernel, &mut Silent)? else {
+            return Ok(None);
+        };
+        let left = discard(points, 0, &map, &mut Silent);
+        hull_of_left(left, kernel, &mut Silent).map(Some)
+    })
 }
 
-/// [`fast_3d_unseen`] on all threads of the current Rayon pool: the same value, whatever their number.
-///
-/// The discards, which take most of the time for many points, are shared out; the hulls of the sample and of the points
-/// left are not.
-///
-/// # Errors
-///
-/// As [`fast_3d_unseen`].
-///
-/// ```
-/// use geometry_core::Exact;
-///
-/// let lattice: Vec<[f64; 3]> = (0..8000).map(|i| [i % 20, i / 20 % 20, i / 400].map(f64::from)).collect();
-/// let hull = quickhull::fast_3d_parallel(&lattice, &Exact)?;
-/// assert_eq!(hull.vertices(), [0, 19, 380, 399, 7600, 7619, 7980, 7999]);
-/// # Ok::<(), geometry_core::HullError>(())
-/// ```
-pub fn fast_3d_parallel<K: Kernel3>(points: &[Point3], kernel: &K) -> Result<Hull3, HullError> {
-    unseen(points, kernel, discard_in_shares)
-}
-
+/// The hull that `discarding` finds, or else that of all points.
 fn unseen<K: Kernel3>(
     points: &[Point3],
     kernel: &K,
-    discard: impl Fn(&[Point3], &DirectionMap) -> Left,
+    discarding: impl FnOnce() -> Result<Option<Hull3>, HullError>,
 ) -> Result<Hull3, HullError> {
     if kernel.basis() == Basis::Other || u32::try_from(points.len()).is_err() {
         return quickhull_3d(Points::new(points)?, kernel, &mut Silent);
     }
-    let hull = match map_of_sample(points, kernel, &mut Silent) {
-        Ok(Some(map)) => hull_of_left(discard(points, &map), kernel, &mut Silent),
+    let hull = match discarding() {
+        Ok(Some(hull)) => Ok(hull),
         Ok(None) => hull_of_all(Points::new(points)?, kernel, &mut Silent),
         Err(error) => Err(error),
     };
@@ -210,7 +193,7 @@ fn narrowed<K: Kernel3, O: Observer>(
     while left.points.len() >= MANY && left.points.len() <= before - before / 4 {
         before = left.points.len();
         let sample = left.sample(before / 8);
-        let Some(map) = map_of(sample, FINEST, kernel, observer)? else {
+        let Some(map) = map_of(sample, before, kernel, observer)? else {
             break;
         };
         left = thinned(&left, &map, observer);
@@ -224,11 +207,7 @@ fn thinned<O: Observer>(left: &Left, map: &DirectionMap, observer: &mut O) -> Le
         observer,
         ids: Some(&left.ids),
     };
-    let mut thinned = discard(&left.points, 0, map, &mut observer);
-    for id in &mut thinned.ids {
-        *id = left.ids[*id as usize];
-    }
-    thinned
+    left.those_of(discard(&left.points, 0, map, &mut observer))
 }
 
 /// With fewer points than this, a sample does not pay.
@@ -247,24 +226,34 @@ fn map_of_sample<K: Kernel3, O: Observer>(
         return Ok(None);
     }
     let sample = Left::sample_of(points, sample_size(points.len()));
-    map_of(sample, cells_to_a_side(points.len()), kernel, observer)
+    map_of(sample, points.len(), kernel, observer)
 }
 
-/// The map of the hull of a sample, with so many cells to the side of a face.
+/// The map of the hull of a sample, to be asked about `count` points.
 fn map_of<K: Kernel3, O: Observer>(
     sample: Left,
-    side: usize,
+    count: usize,
     kernel: &K,
     observer: &mut O,
 ) -> Result<Option<DirectionMap>, HullError> {
     let mut left = None;
     if sample.points.len() >= FEW {
         let size = sample_size(sample.points.len());
-        let side_within = cells_to_a_side(sample.points.len());
-        let map = map_of(sample.sample(size), side_within, kernel, observer)?;
+        let map = map_of(sample.sample(size), sample.points.len(), kernel, observer)?;
         left = map.map(|map| thinned(&sample, &map, observer));
     }
     let left = left.as_ref().unwrap_or(&sample);
+    map_of_left(&sample, left, count, kernel, observer)
+}
+
+/// [`map_of`] a sample of which the points that may be extreme are `left`.
+fn map_of_left<K: Kernel3, O: Observer>(
+    sample: &Left,
+    left: &Left,
+    count: usize,
+    kernel: &K,
+    observer: &mut O,
+) -> Result<Option<DirectionMap>, HullError> {
     let points_left = Points::new(&left.points)?;
     let mut observer = Renumbered {
         observer,
@@ -277,7 +266,7 @@ fn map_of<K: Kernel3, O: Observer>(
     if mesh.len() > sample.points.len() {
         return Ok(None);
     }
-    Ok(DirectionMap::of(points_left, &mesh, side, &sample.points))
+    Ok(DirectionMap::of(points_left, &mesh, count, &sample.points))
 }
 
 /// The size of the sample of n points.
@@ -286,20 +275,6 @@ fn map_of<K: Kernel3, O: Observer>(
 /// like n to ⅔. The factor is measured; twice or half as many cost a tenth more.
 fn sample_size(n: usize) -> usize {
     (2.0 * (n as f64).powf(2.0 / 3.0)) as usize
-}
-
-/// The most cells to the side of a face of the cube: more would not fit the cache, or not pay.
-const FINEST: usize = 32;
-
-/// How many cells to the side of a face of the cube pay for n points.
-fn cells_to_a_side(n: usize) -> usize {
-    if n < 1 << 15 {
-        8
-    } else if n < 1 << 18 {
-        16
-    } else {
-        FINEST
-    }
 }
 
 #[cfg(test)]

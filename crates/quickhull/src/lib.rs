@@ -8,7 +8,7 @@
 //! | `quickhull-balan` | [`balan_quickhull`](mod@balan_quickhull) | O(n m) for m facets made |
 //! | `quickhull-3d` | [`quickhull_3d`](mod@quickhull_3d) | O(n²); about linear on the usual distributions, O(n log n) on a sphere |
 //! | `fast-3d` | [`fast_3d`](mod@fast_3d) | O(n) on average where few points are extreme |
-//! | `fast-3d-parallel` | [`fast_3d_parallel`] | the same, the discards on several processors |
+//! | `fast-3d-parallel` | [`fast_3d_parallel`] | the same, on several processors |
 //!
 //! ```
 //! use geometry_core::{Boundary, Exact, Points, Silent};
@@ -113,7 +113,7 @@ pub const METHODS: &[Method] = &[
         title: "Quickhull after discarding what is inside the hull of a sample, on several processors",
         citation: FAST_3D,
         departures: fast_3d::PARALLEL_DEPARTURES,
-        cost: "that of fast-3d; the discards are shared among the processors",
+        cost: "that of fast-3d; discards and the hulls of halves are shared among the processors",
         task: Task::SpatialHull(SpatialHull {
             unseen: |points| fast_3d_parallel(points, &Exact),
             exact: |points| fast_3d_parallel(points.as_slice(), &Exact),

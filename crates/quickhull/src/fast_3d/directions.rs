@@ -117,28 +117,35 @@ const LANES: usize = 8;
 /// 1.5 · 2⁵²: adding it rounds to an integer, which is then in the low bits.
 const TO_INTEGER: f64 = 6755399441055744.0;
 
+/// For so many points a second map pays, if it has a body.
+const MANY: usize = 1 << 19;
+
 impl DirectionMap {
-    /// The map of the surface `mesh` of `points`, `side` cells to the side of each of the cube's faces; none if the surface
-    /// is too flat for it, or its coordinates too large or too small.
+    /// The map of the surface `mesh` of `points`, to be asked about `count` others; none if the surface is too flat for it, or its coordinates too large or too small.
     ///
     /// It looks from the middle of the corners. If no body about that holds many points of the sample, they may be close
     /// together compared to the polytope; then it also looks from among them, and takes what has such a body or finds more
-    /// of them inside.
+    /// of them inside. For fewer points that does not pay where the first map finds most of the sample inside.
     pub(super) fn of(
         points: Points<'_, 3>,
         mesh: &TriMesh,
-        side: usize,
+        count: usize,
         sample: &[Point3],
     ) -> Option<Self> {
+        let side = cells_to_a_side(sample.len());
         let corners = mesh.triangles().flat_map(|triangle| mesh.corners(triangle));
         let middle = mean(corners.map(|id| points[id]));
         let from_middle = Self::from(middle, points, mesh, side, sample);
-        if from_middle.as_ref().is_some_and(|map| map.core.is_some()) {
+        let finds = |map: &Self| (map.core.is_some(), count_inside(map, sample));
+        let finds_most = |map: &Self| 2 * count_inside(map, sample) >= sample.len();
+        if let Some(map) = &from_middle
+            && (map.core.is_some() || count < MANY && finds_most(map))
+        {
             return from_middle;
         }
         let from_points = Self::from(median(sample), points, mesh, side, sample);
         let maps = [from_points, from_middle].into_iter().flatten();
-        maps.max_by_key(|map| (map.core.is_some(), count_inside(map, sample)))
+        maps.max_by_key(finds)
     }
 
     fn from(
@@ -233,6 +240,20 @@ impl DirectionMap {
     #[inline(always)]
     fn column(&self, quotient: f64) -> f64 {
         (quotient * self.scale + self.shift + TO_INTEGER) - TO_INTEGER
+    }
+}
+
+/// The most cells to the side of a face of the cube: more would not fit the cache, or not pay.
+const FINEST: usize = 32;
+
+/// How many cells to the side of a face of the cube pay for the hull of a sample of so many points.
+fn cells_to_a_side(sample: usize) -> usize {
+    if sample < 1 << 11 {
+        8
+    } else if sample < 1 << 13 {
+        16
+    } else {
+        FINEST
     }
 }
 

@@ -7,8 +7,11 @@ use crate::blocks::{BLOCK, filled_up, first_bits, places};
 use geometry_core::{Observer, Point3, Step};
 use rayon::prelude::*;
 
-/// How many points a thread takes at a time: a multiple of a block.
+/// The most points that a thread takes at a time.
 const SHARE: usize = 1 << 16;
+
+/// So many shares a thread, if these are smaller: some take longer than others.
+const SHARES: usize = 4;
 
 /// The points, numbered from `first`, that the map does not find inside.
 pub(super) fn discard<O: Observer>(
@@ -34,14 +37,16 @@ pub(super) fn discard<O: Observer>(
     left
 }
 
-/// [`discard`] on all threads of the current Rayon pool: the same points, whatever their number.
-pub(super) fn discard_in_shares(points: &[Point3], map: &DirectionMap) -> Left {
-    let shares = points.par_chunks(SHARE).enumerate();
+/// [`discard`] on all threads of the current Rayon pool: the same points, in parts to be put one behind the other.
+pub(super) fn discard_in_shares(points: &[Point3], map: &DirectionMap) -> Vec<Left> {
+    let share = points.len().div_ceil(SHARES * rayon::current_num_threads());
+    let len = share.next_multiple_of(BLOCK).clamp(BLOCK, SHARE);
+    let shares = points.par_chunks(len).enumerate();
     let of_share = |(number, share)| {
-        let first = (number * SHARE) as u32;
+        let first = (number * len) as u32;
         discard(share, first, map, &mut geometry_core::Silent)
     };
-    Left::joined(shares.map(of_share).collect())
+    shares.map(of_share).collect()
 }
 
 /// How many of the points are certainly inside.

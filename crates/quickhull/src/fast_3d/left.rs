@@ -24,28 +24,54 @@ impl Left {
         all
     }
 
-    /// One point in so many, spread evenly over the points but not at equal distances, as a lattice would not stand that.
+    /// These, and the others behind them.
+    pub(super) fn and(&self, others: &Self) -> Self {
+        Self {
+            points: [&*self.points, &others.points].concat(),
+            ids: [&*self.ids, &others.ids].concat(),
+        }
+    }
+
+    /// Those at these places.
+    pub(super) fn picked(&self, places: &[u32]) -> Self {
+        let places = || places.iter().map(|&place| place as usize);
+        Self {
+            points: places().map(|place| self.points[place]).collect(),
+            ids: places().map(|place| self.ids[place]).collect(),
+        }
+    }
+
+    /// One point in so many, at the [places of a sample](Self::places_of_sample).
     pub(super) fn sample_of(points: &[Point3], size: usize) -> Self {
-        /// 2⁶⁴ divided by the golden ratio: its multiples are spread evenly over 0..2⁶⁴.
-        const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
-        let block = points.len() / size.max(1);
-        let place = |number: usize| {
-            let share = (number as u64 + 1).wrapping_mul(GOLDEN) >> 32;
-            number * block + ((share * block as u64) >> 32) as usize
-        };
-        let ids: Vec<u32> = (0..size).map(|number| place(number) as u32).collect();
+        let ids = Self::places_of_sample(points.len(), size);
         Self {
             points: ids.iter().map(|&id| points[id as usize]).collect(),
             ids,
         }
     }
 
-    /// [`sample_of`](Self::sample_of) these.
-    pub(super) fn sample(&self, size: usize) -> Self {
-        let mut sample = Self::sample_of(&self.points, size);
-        for id in &mut sample.ids {
+    /// Places spread evenly over `count` points but not at equal distances, as a lattice would not stand that.
+    pub(super) fn places_of_sample(count: usize, size: usize) -> Vec<u32> {
+        /// 2⁶⁴ divided by the golden ratio: its multiples are spread evenly over 0..2⁶⁴.
+        const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
+        let block = count / size.max(1);
+        let place = |number: usize| {
+            let share = (number as u64 + 1).wrapping_mul(GOLDEN) >> 32;
+            number * block + ((share * block as u64) >> 32) as usize
+        };
+        (0..size).map(|number| place(number) as u32).collect()
+    }
+
+    /// Some of these, numbered by their places among them, with their indices.
+    pub(super) fn those_of(&self, mut some: Self) -> Self {
+        for id in &mut some.ids {
             *id = self.ids[*id as usize];
         }
-        sample
+        some
+    }
+
+    /// [`sample_of`](Self::sample_of) these.
+    pub(super) fn sample(&self, size: usize) -> Self {
+        self.those_of(Self::sample_of(&self.points, size))
     }
 }
