@@ -1,13 +1,11 @@
 //! A triangulation of a planar point set, as a canonical value.
 
+pub mod order;
+
+use order::{Dealt, Keys};
+
 /// Up to as many triangles are sorted by comparisons alone.
 const FEW: usize = 64;
-
-/// Triangles are sorted by counting if there is one for every so many values of their smallest corners.
-const MOST_GAPS: usize = 8;
-
-/// First corners with equal bits above these are sorted together.
-const RANGE_BITS: u32 = 12;
 
 /// A triangulation of points of the plane.
 ///
@@ -31,19 +29,53 @@ impl Triangulation {
     /// let triangulation = Triangulation::new(vec![[2, 3, 0], [1, 2, 0]]);
     /// assert_eq!(triangulation.triangles(), [[0, 1, 2], [0, 2, 3]]);
     /// ```
-    pub fn new(mut triangles: Vec<[u32; 3]>) -> Self {
+    pub fn new(triangles: Vec<[u32; 3]>) -> Self {
+        Self::with_room(triangles, Vec::new())
+    }
+
+    /// [`new`](Self::new), with memory that is not needed any more to sort in: fresh memory costs as much as the sorting.
+    ///
+    /// # Cost
+    ///
+    /// As [`new`](Self::new). What `room` holds does not matter; if it is shorter than `triangles`, it is not used.
+    ///
+    /// ```
+    /// use geometry_core::Triangulation;
+    /// let triangulation = Triangulation::with_room(vec![[2, 3, 0], [1, 2, 0]], vec![[7; 3]; 2]);
+    /// assert_eq!(triangulation.triangles(), [[0, 1, 2], [0, 2, 3]]);
+    /// ```
+    pub fn with_room(mut triangles: Vec<[u32; 3]>, mut room: Vec<[u32; 3]>) -> Self {
         let mut largest = 0;
         for corners in &mut triangles {
             *corners = smallest_first(*corners);
             largest = largest.max(corners[0]);
         }
-        let is_dense = largest as usize / MOST_GAPS <= triangles.len();
-        let fits = u32::try_from(triangles.len()).is_ok();
-        if triangles.len() > FEW && is_dense && fits {
-            sort_by_counting(&mut triangles, largest);
-        } else {
-            triangles.sort_unstable();
+        let len = triangles.len();
+        match Keys::up_to(largest, len) {
+            Some(keys) if len > FEW => {
+                if room.len() < len {
+                    room = vec![[0; 3]; len];
+                }
+                let dealt = [Dealt::of(&triangles, keys, &mut room[..len])];
+                for (range, sorted) in keys.ranges_of(&dealt, &mut triangles) {
+                    keys.sort_range(range, &dealt, sorted);
+                }
+            }
+            _ => triangles.sort_unstable(),
         }
+        Self { triangles }
+    }
+
+    /// The triangulation with these triangles, which must be in [canonical](Triangulation) order.
+    ///
+    /// ```
+    /// use geometry_core::Triangulation;
+    /// let triangles = vec![[0, 1, 2], [0, 2, 3]];
+    /// assert_eq!(Triangulation::from_canonical(triangles.clone()), Triangulation::new(triangles));
+    /// ```
+    pub fn from_canonical(triangles: Vec<[u32; 3]>) -> Self {
+        debug_assert!(triangles.is_sorted());
+        debug_assert!(triangles.iter().all(|&t| smallest_first(t) == t));
         Self { triangles }
     }
 
@@ -101,84 +133,6 @@ fn smallest_first([a, b, c]: [u32; 3]) -> [u32; 3] {
         [c, a, b]
     } else {
         [a, b, c]
-    }
-}
-
-/// Puts triangles into lexicographic order: into ranges by their first corners, within a range into stars with the same
-/// first corner, and the few of a star by the others. Two short steps rather than one long one: the places
-/// written to at any time stay in the cache.
-fn sort_by_counting(triangles: &mut [[u32; 3]], largest: u32) {
-    let range = |corners: &[u32; 3]| (corners[0] >> RANGE_BITS) as usize;
-    let mut unsorted = vec![[0; 3]; triangles.len()];
-    let ends = place_by_key(triangles, &mut unsorted, range(&[largest; 3]), range);
-    let star = |corners: &[u32; 3]| corners[0] as usize % (1 << RANGE_BITS);
-    let mut start = 0;
-    for (range, end) in ends.into_iter().enumerate() {
-        let sorted = &mut triangles[start..end as usize];
-        let unsorted = &unsorted[start..end as usize];
-        let rest = largest as usize - (range << RANGE_BITS);
-        let largest_star = rest.min((1 << RANGE_BITS) - 1);
-        let ends = place_by_key(unsorted, sorted, largest_star, star);
-        sort_stars(sorted, &ends);
-        start = end as usize;
-    }
-}
-
-/// Copies `from` to `to` in the order of their keys, which are at most `largest`. Returns where the triangles of each key
-/// end.
-#[inline(always)]
-fn place_by_key(
-    from: &[[u32; 3]],
-    to: &mut [[u32; 3]],
-    largest: usize,
-    key: impl Fn(&[u32; 3]) -> usize,
-) -> Vec<u32> {
-    // First places[k + 1] is the number of triangles with key k; then places[k] is where they begin, and at last where
-    // they end.
-    let mut places = vec![0_u32; largest + 2];
-    for corners in from {
-        places[key(corners) + 1] += 1;
-    }
-    let mut sum = 0;
-    for place in &mut places {
-        sum += *place;
-        *place = sum;
-    }
-    for corners in from {
-        let place = &mut places[key(corners)];
-        to[*place as usize] = *corners;
-        *place += 1;
-    }
-    places.truncate(largest + 1);
-    places
-}
-
-/// Sorts the triangles that end at each of `ends`.
-fn sort_stars(mut triangles: &mut [[u32; 3]], ends: &[u32]) {
-    let mut start = 0;
-    for &end in ends {
-        let (star, others) = triangles.split_at_mut((end - start) as usize);
-        sort_star(star);
-        (triangles, start) = (others, end);
-    }
-}
-
-/// Sorts triangles around one corner: by insertion, as there are seldom more than a handful.
-#[inline(always)]
-fn sort_star(star: &mut [[u32; 3]]) {
-    const HANDFUL: usize = 24;
-    if star.len() > HANDFUL {
-        star.sort_unstable();
-        return;
-    }
-    for sorted in 1..star.len() {
-        let triangle = star[sorted];
-        let mut place = sorted;
-        while place > 0 && star[place - 1] > triangle {
-            star[place] = star[place - 1];
-            place -= 1;
-        }
-        star[place] = triangle;
     }
 }
 

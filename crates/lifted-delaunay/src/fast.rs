@@ -143,7 +143,8 @@ fn triangulate<A: Asking>(
     points: Points<'_, 2>,
     asking: &mut A,
 ) -> Result<Triangulation, HullError> {
-    let (mut sites, mut halves) = room_for(points)?;
+    let mut halves = room_for_edges(points)?;
+    let mut sites = vec![Site::default(); points.len()];
     let extent = Extent::of(points.as_slice().iter().copied());
     let grid = Grid::sort(named(points), &extent, CELL, &mut sites);
     let room = Room::all(&halves);
@@ -159,19 +160,21 @@ fn triangulate<A: Asking>(
     conquest.rings.mark_outside(out);
     let names: Vec<u32> = conquest.sites.iter().map(|site| site.id).collect();
     let edges = conquest.rings.finished();
-    let triangles = edges.triangles(0..edges.len(), &names);
-    drop((sites, halves));
-    Ok(Triangulation::new(triangles))
+    // Zeros that nobody writes to cost no memory.
+    let mut triangles = vec![[0; 3]; edges.len() + 1];
+    let found = edges.triangles(0..edges.len(), &names, &mut triangles);
+    triangles.truncate(found);
+    drop((sites, names));
+    Ok(Triangulation::with_room(triangles, halves))
 }
 
-/// Unused sites and halves for `points`.
-fn room_for(points: Points<'_, 2>) -> Result<(Vec<Site>, Vec<Half>), HullError> {
+/// Unused halves for `points`.
+fn room_for_edges(points: Points<'_, 2>) -> Result<Vec<Half>, HullError> {
     let count = points.len();
     if count >= NONE as usize / HALVES_PER_VERTEX {
         return Err(HullError::TooManyPoints { count });
     }
-    let halves = vec![Half::default(); HALVES_PER_VERTEX * count];
-    Ok((vec![Site::default(); count], halves))
+    Ok(vec![Half::default(); HALVES_PER_VERTEX * count])
 }
 
 /// The sites of `points`, in their order.

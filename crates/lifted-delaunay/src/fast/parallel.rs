@@ -4,21 +4,22 @@
 //! Halves are conquered side by side (`rayon::join`); then the second one is renumbered to stand behind the first, and
 //! the two are merged as ever. The triangulation is unique, by the rule for ties, so the result does not depend on the threads.
 //!
-//! The first halvings, their merges and the sorting of the triangles are done by one thread.
+//! The first halvings and their merges are done by one thread.
 
 use super::asking::Filtered;
 use super::halving::{self, Extent};
 use super::part::Part;
 use super::rings::{HALVES_PER_VERTEX, Half, NONE, Rings, Room};
-use super::{Conquest, Site, named, room_for};
+use super::{Conquest, Site, room_for_edges};
+use geometry_core::triangulation::order::{Dealt, Keys};
 use geometry_core::{HullError, Points, Triangulation};
 use rayon::prelude::*;
 
 /// Sets of fewer sites are not divided among threads.
 const FEW: usize = 10_000;
 
-/// Edges that one thread searches for triangles at a time.
-const EDGES: usize = 1 << 16;
+/// The edges are searched for triangles, and these are sorted, in so many shares a thread.
+const SHARES: usize = 4;
 
 /// [`fast_delaunay`](super::fast_delaunay) on the threads of the current rayon pool: the same value.
 ///
@@ -38,10 +39,9 @@ const EDGES: usize = 1 << 16;
 /// # Ok::<(), geometry_core::HullError>(())
 /// ```
 pub fn fast_delaunay_parallel(points: Points<'_, 2>) -> Result<Triangulation, HullError> {
-    let (mut sites, mut halves) = room_for(points)?;
-    for (site, named) in sites.iter_mut().zip(named(points)) {
-        *site = named;
-    }
+    let mut halves = room_for_edges(points)?;
+    let places = points.as_slice().par_iter().zip(0..points.len() as u32);
+    let mut sites: Vec<Site> = places.map(|(&at, id)| Site { at, id }).collect();
     let forks = rayon::current_num_threads().next_power_of_two().ilog2();
     let (whole, room) = solve(&mut sites, &mut halves, Filtered::new(points), forks);
     let Some(out) = whole.map(|part| part.first[0].out).filter(|&e| e != NONE) else {
@@ -51,12 +51,47 @@ pub fn fast_delaunay_parallel(points: Points<'_, 2>) -> Result<Triangulation, Hu
     rings.mark_outside(out);
     let names: Vec<u32> = sites.par_iter().map(|site| site.id).collect();
     let edges = rings.finished();
-    let found: Vec<Vec<[u32; 3]>> = (0..edges.len().div_ceil(EDGES))
-        .into_par_iter()
-        .map(|i| edges.triangles(i * EDGES..edges.len().min((i + 1) * EDGES), &names))
+    let share = edges.len().div_ceil(SHARES * rayon::current_num_threads()) + 1;
+    let mut triangles = vec![[0; 3]; edges.len() + edges.len() / share + 1];
+    drop(sites);
+    let shares = triangles.par_chunks_mut(share + 1).enumerate();
+    let found: Vec<usize> = shares
+        .map(|(i, room)| {
+            let places = i * share..edges.len().min((i + 1) * share);
+            edges.triangles(places, &names, room)
+        })
         .collect();
-    drop((sites, halves));
-    Ok(Triangulation::new(found.concat()))
+    Ok(in_order(triangles, share + 1, &found, halves))
+}
+
+/// The triangulation with the first `found[i]` triangles of each share of so many places, sorted in `room`.
+fn in_order(
+    mut triangles: Vec<[u32; 3]>,
+    share: usize,
+    found: &[usize],
+    mut room: Vec<[u32; 3]>,
+) -> Triangulation {
+    let all = || triangles.par_chunks(share).zip(found);
+    let largest_of = |(part, &found): (&[[u32; 3]], &usize)| {
+        part[..found].iter().map(|corners| corners[0]).max()
+    };
+    let largest = all().filter_map(largest_of).max().unwrap_or(0);
+    let count = found.iter().sum();
+    let Some(keys) = Keys::up_to(largest, count) else {
+        let parts: Vec<_> = all().map(|(part, &found)| &part[..found]).collect();
+        return Triangulation::new(parts.concat());
+    };
+    let rooms = room.par_chunks_mut(share);
+    let dealt: Vec<Dealt> = all()
+        .zip(rooms)
+        .map(|((part, &found), room)| Dealt::of(&part[..found], keys, &mut room[..found]))
+        .collect();
+    triangles.truncate(count);
+    let ranges = keys.ranges_of(&dealt, &mut triangles);
+    ranges
+        .into_par_iter()
+        .for_each(|(range, sorted)| keys.sort_range(range, &dealt, sorted));
+    Triangulation::from_canonical(triangles)
 }
 
 /// The part of all of `sites`, and what room is left among their `halves`, after so many more forks.

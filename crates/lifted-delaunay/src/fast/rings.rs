@@ -229,15 +229,21 @@ impl Finished<'_> {
         self.halves.len() / 2
     }
 
-    /// The triangles found at the edges of these places, each from its corner of least name, in no order.
+    /// Puts the triangles found at the edges of these places, each from its corner of least name, into `triangles`, in no
+    /// order, and returns how many there are.
     ///
     /// Each is found at one edge, that of its two lesser names, on the left of the half that runs upwards. Every
     /// edge's is written down, and the next one over it if there was none: cheaper than branches that nothing could
-    /// predict. Places never in use are edges from a vertex to itself.
-    pub(super) fn triangles(self, edges: Range<usize>, names: &[u32]) -> Vec<[u32; 3]> {
+    /// predict. So there must be room for one more than there are edges. Places never in use are edges from a vertex to itself.
+    pub(super) fn triangles(
+        self,
+        edges: Range<usize>,
+        names: &[u32],
+        triangles: &mut [[u32; 3]],
+    ) -> usize {
         let name = |vertex: u32| names[vertex as usize];
         let edges = &self.halves.as_chunks::<2>().0[edges];
-        let mut triangles = vec![[0; 3]; edges.len() + 1];
+        let triangles = &mut triangles[..edges.len() + 1];
         let mut found = 0;
         for &[there, back] in edges {
             if there[PREV] == NONE && back[PREV] == NONE {
@@ -250,7 +256,6 @@ impl Finished<'_> {
             triangles[found] = [from, to, apex];
             found += usize::from((half[PREV] != NONE) & (from < to) & (from < apex));
         }
-        triangles.truncate(found);
-        triangles
+        found
     }
 }
