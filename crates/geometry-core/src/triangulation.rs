@@ -29,41 +29,47 @@ impl Triangulation {
     /// let triangulation = Triangulation::new(vec![[2, 3, 0], [1, 2, 0]]);
     /// assert_eq!(triangulation.triangles(), [[0, 1, 2], [0, 2, 3]]);
     /// ```
-    pub fn new(triangles: Vec<[u32; 3]>) -> Self {
-        Self::with_room(triangles, Vec::new())
+    pub fn new(mut triangles: Vec<[u32; 3]>) -> Self {
+        let Some(keys) = keys_of(&mut triangles) else {
+            triangles.sort_unstable();
+            return Self { triangles };
+        };
+        let mut room = vec![[0; 3]; triangles.len()];
+        let dealt = Dealt::of(&triangles, keys, &mut room);
+        keys.sort(&[dealt], &mut triangles);
+        Self { triangles }
     }
 
-    /// [`new`](Self::new), with memory that is not needed any more to sort in: fresh memory costs as much as the sorting.
+    /// [`new`](Self::new) of triangles in some memory, of which the triangulation is to be made in other memory that
+    /// is not needed any more: it takes longer to get fresh memory than to sort.
     ///
     /// # Cost
     ///
-    /// As [`new`](Self::new). What `room` holds does not matter; if it is shorter than `triangles`, it is not used.
+    /// As [`new`](Self::new). What `room` holds does not matter. If it is not twice as long as `triangles`, it is made
+    /// so.
     ///
     /// ```
     /// use geometry_core::Triangulation;
-    /// let triangulation = Triangulation::with_room(vec![[2, 3, 0], [1, 2, 0]], vec![[7; 3]; 2]);
+    /// let triangulation = Triangulation::in_room(&mut [[2, 3, 0], [1, 2, 0]], vec![[7; 3]; 5]);
     /// assert_eq!(triangulation.triangles(), [[0, 1, 2], [0, 2, 3]]);
     /// ```
-    pub fn with_room(mut triangles: Vec<[u32; 3]>, mut room: Vec<[u32; 3]>) -> Self {
-        let mut largest = 0;
-        for corners in &mut triangles {
-            *corners = smallest_first(*corners);
-            largest = largest.max(corners[0]);
-        }
+    pub fn in_room(triangles: &mut [[u32; 3]], mut room: Vec<[u32; 3]>) -> Self {
         let len = triangles.len();
-        match Keys::up_to(largest, len) {
-            Some(keys) if len > FEW => {
-                if room.len() < len {
-                    room = vec![[0; 3]; len];
-                }
-                let dealt = [Dealt::of(&triangles, keys, &mut room[..len])];
-                for (range, sorted) in keys.ranges_of(&dealt, &mut triangles) {
-                    keys.sort_range(range, &dealt, sorted);
-                }
-            }
-            _ => triangles.sort_unstable(),
+        let keys = keys_of(triangles);
+        if room.len() < 2 * len {
+            room.resize(2 * len, [0; 3]);
         }
-        Self { triangles }
+        let (sorted, others) = room.split_at_mut(len);
+        if let Some(keys) = keys {
+            let dealt = Dealt::of(triangles, keys, &mut others[..len]);
+            keys.sort(&[dealt], sorted);
+        } else {
+            sorted.copy_from_slice(triangles);
+            sorted.sort_unstable();
+        }
+        room.truncate(len);
+        room.shrink_to_fit();
+        Self { triangles: room }
     }
 
     /// The triangulation with these triangles, which must be in [canonical](Triangulation) order.
@@ -122,6 +128,17 @@ impl Triangulation {
             .filter(|edge| !is_inner(edge))
             .collect()
     }
+}
+
+/// Lets each triangle begin with its smallest corner, and returns what they can be sorted by, if they can be sorted by counting.
+fn keys_of(triangles: &mut [[u32; 3]]) -> Option<Keys> {
+    let mut largest = 0;
+    for corners in &mut *triangles {
+        *corners = smallest_first(*corners);
+        largest = largest.max(corners[0]);
+    }
+    let keys = Keys::up_to(largest, triangles.len());
+    keys.filter(|_| triangles.len() > FEW)
 }
 
 /// The same triangle from its smallest corner. Short-circuits nothing, as nothing could predict it.

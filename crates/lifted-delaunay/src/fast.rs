@@ -13,7 +13,7 @@
 //! 2. Triangulate two or three points at once (`few`).
 //! 3. Join the triangulations of the two halves of a box along the line between them, from the bottom up (`merge`), and
 //!    so on up to the whole.
-//! 4. Write down the triangles, and sort them by counting.
+//! 4. Write down the triangles in the memory of the sites, and sort them by counting in that of the edges.
 //!
 //! **Exactness.** All signs are those of the exact kernel. Questions of a merge are about points of one box, and the smaller the
 //! box the tighter is its filter, computed once ([`Boxed`](geometry_core::exact::Boxed)); on a lattice even zeros
@@ -46,16 +46,18 @@ mod merge;
 mod parallel;
 mod part;
 mod rings;
+mod site;
 mod tie;
 
 pub use parallel::fast_delaunay_parallel;
 
 use asking::{Asking, Filtered, Tallied};
-use geometry_core::{HullError, Point2, Points, QuestionCounts, Triangulation};
+use geometry_core::{HullError, Points, QuestionCounts, Triangulation};
 use grid::Grid;
 use halving::Extent;
 use part::{Across, Part};
 use rings::{HALVES_PER_VERTEX, Half, NONE, Rings, Room};
+use site::{Site, Sited, room_for_triangles};
 use std::ops::Range;
 
 /// Where the method departs from Guibas and Stolfi, and from Dwyer, and why.
@@ -90,7 +92,7 @@ const CELL: usize = 8;
 ///
 /// # Cost
 ///
-/// O(n log n) time, see [the module](self); about 130 n bytes at its peak, the result included.
+/// O(n log n) time, see [the module](self); about 100 n bytes at its peak, the result included.
 ///
 /// ```
 /// use geometry_core::Points;
@@ -132,13 +134,6 @@ pub fn fast_delaunay_counted(
     Ok((triangulation, tallied.counts))
 }
 
-/// A point and its index in the caller's slice. Vertices are places in a slice of these.
-#[derive(Clone, Copy, Debug, Default)]
-struct Site {
-    at: Point2,
-    id: u32,
-}
-
 fn triangulate<A: Asking>(
     points: Points<'_, 2>,
     asking: &mut A,
@@ -158,14 +153,13 @@ fn triangulate<A: Asking>(
         return Ok(Triangulation::default());
     };
     conquest.rings.mark_outside(out);
-    let names: Vec<u32> = conquest.sites.iter().map(|site| site.id).collect();
+    let names: Vec<u32> = conquest.sites.iter().map(Sited::id).collect();
     let edges = conquest.rings.finished();
-    // Zeros that nobody writes to cost no memory.
-    let mut triangles = vec![[0; 3]; edges.len() + 1];
-    let found = edges.triangles(0..edges.len(), &names, &mut triangles);
-    triangles.truncate(found);
-    drop((sites, names));
-    Ok(Triangulation::with_room(triangles, halves))
+    // Of n sites there are less than 2 n triangles, less one.
+    let room = room_for_triangles(conquest.sites);
+    let found = edges.triangles(0..edges.len(), &names, room);
+    let triangles = &mut room_for_triangles(&mut sites)[..found];
+    Ok(Triangulation::in_room(triangles, halves))
 }
 
 /// Unused halves for `points`.
@@ -180,7 +174,7 @@ fn room_for_edges(points: Points<'_, 2>) -> Result<Vec<Half>, HullError> {
 /// The sites of `points`, in their order.
 fn named(points: Points<'_, 2>) -> impl Iterator<Item = Site> + Clone {
     let named = points.as_slice().iter().zip(points.ids());
-    named.map(|(&at, id)| Site { at, id })
+    named.map(|(&at, id)| Site::new(at, id))
 }
 
 /// The sites, partly divided, and the edges so far.
@@ -200,9 +194,9 @@ impl<A: Asking> Conquest<'_, A> {
             1 => return Some(Part::point(first)),
             _ => {}
         }
-        let extent = Extent::of(sites.iter().map(|site| site.at));
+        let extent = Extent::of(sites.iter().map(Sited::at));
         if extent.is_point() {
-            let least = (0..sites.len()).min_by_key(|&i| sites[i].id).unwrap_or(0);
+            let least = (0..sites.len()).min_by_key(|&i| sites[i].id()).unwrap_or(0);
             sites.swap(0, least);
             return Some(Part::point(first));
         }
@@ -211,7 +205,7 @@ impl<A: Asking> Conquest<'_, A> {
                 let ends = [first, first + 1];
                 return Some(few::edge(self.sites, &mut self.rings, ends));
             }
-            [a, b, c] if a.at != b.at && b.at != c.at && c.at != a.at => {
+            [a, b, c] if a.at() != b.at() && b.at() != c.at() && c.at() != a.at() => {
                 let corners = [first, first + 1, first + 2];
                 return Some(self.triangle(corners, &extent));
             }

@@ -15,9 +15,7 @@
 //! let dealt: Vec<Dealt> =
 //!     shares.iter().zip(&mut rooms).map(|(share, room)| Dealt::of(share, keys, room)).collect();
 //! let mut sorted = [[0; 3]; 3];
-//! for (range, sorted) in keys.ranges_of(&dealt, &mut sorted) {
-//!     keys.sort_range(range, &dealt, sorted);
-//! }
+//! keys.sort(&dealt, &mut sorted);
 //! assert_eq!(sorted, [[0, 1, 2], [0, 2, 3], [5, 6, 7]]);
 //! ```
 
@@ -59,6 +57,17 @@ impl Keys {
             sorted = others;
         }
         ranges
+    }
+
+    /// Step 2: puts all triangles into `sorted` in order.
+    ///
+    /// # Panics
+    ///
+    /// If `sorted` is shorter than all that was dealt.
+    pub fn sort(self, dealt: &[Dealt], sorted: &mut [[u32; 3]]) {
+        for (range, sorted) in self.ranges_of(dealt, sorted) {
+            self.sort_range(range, dealt, sorted);
+        }
     }
 
     /// Step 2, for one range: puts its triangles, from all shares, into `sorted` in order.

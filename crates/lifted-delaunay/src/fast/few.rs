@@ -1,8 +1,8 @@
 //! Triangulations of two and of three points.
 
-use super::Site;
 use super::part::{Corner, Part};
 use super::rings::Rings;
+use super::site::{Site, Sited};
 use geometry_core::kernel::lexicographic;
 use geometry_core::{Kernel2, Sign};
 
@@ -24,7 +24,7 @@ pub(super) fn triangle(
     kernel: &impl Kernel2,
     [a, b, c]: [u32; 3],
 ) -> Part {
-    let [p, q, r] = [a, b, c].map(|vertex| sites[vertex as usize].at);
+    let [p, q, r] = [a, b, c].map(|vertex| sites[vertex as usize].at());
     let [a, b, c] = match kernel.orient(p, q, r) {
         Sign::Positive => [a, b, c],
         Sign::Negative => [a, c, b],
@@ -41,7 +41,7 @@ pub(super) fn triangle(
 
 /// Two edges from end to end.
 fn path(sites: &[Site], rings: &mut Rings<'_>, mut vertices: [u32; 3]) -> Part {
-    let at = |vertex: u32| sites[vertex as usize].at;
+    let at = |vertex: u32| sites[vertex as usize].at();
     vertices.sort_unstable_by(|&a, &b| lexicographic(at(a), at(b)));
     let [a, b, c] = vertices;
     let [ab, bc] = [rings.allocate(), rings.allocate()];

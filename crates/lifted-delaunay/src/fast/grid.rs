@@ -11,9 +11,9 @@
 //! A column never falls as x grows, whatever is rounded: sites of different columns are strictly separated. Likewise
 //! rows.
 
-use super::Site;
 use super::halving::Extent;
 use super::part::Across;
+use super::site::{Site, Sited};
 
 /// The cells, and where their sites are.
 #[derive(Debug)]
@@ -35,7 +35,8 @@ impl Grid {
         let depth = (sorted.len() / average).max(1).ilog2();
         let levels = halvings(extent, depth);
         let [columns, rows] = [Across::X, Across::Y].map(|axis| Ruler::new(axis, extent, &levels));
-        let cell = |site: &Site| (columns.digits(site.at[0]) | rows.digits(site.at[1])) as usize;
+        let cell =
+            |site: &Site| (columns.digits(site.at()[0]) | rows.digits(site.at()[1])) as usize;
         // First counts[i + 2] is the size of cell i; then counts[i + 1] is where it begins; at the end, where it ends.
         let mut counts = vec![0_u32; (1 << depth) + 2];
         for site in sites.clone() {

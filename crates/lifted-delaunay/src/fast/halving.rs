@@ -2,8 +2,8 @@
 //!
 //! Copies of a point have the same coordinates and are never divided.
 
-use super::Site;
 use super::part::Across;
+use super::site::{Site, Sited};
 use geometry_core::Point2;
 
 /// Sets of more sites than this are divided at the median if the middle of their box leaves too few on one side.
@@ -88,10 +88,10 @@ pub(super) fn halve(sites: &mut [Site], extent: &Extent) -> (usize, Across) {
 pub(super) fn halve_at_median(sites: &mut [Site], extent: &Extent) -> (usize, Across) {
     let across = extent.longer();
     let axis = across as usize;
-    let by_axis = |a: &Site, b: &Site| a.at[axis].total_cmp(&b.at[axis]);
+    let by_axis = |a: &Site, b: &Site| a.at()[axis].total_cmp(&b.at()[axis]);
     let half = sites.len() / 2;
     let (_, median, _) = sites.select_nth_unstable_by(half, by_axis);
-    let median = median.at[axis];
+    let median = median.at()[axis];
     let most = if median < extent.high[axis] {
         median
     } else {
@@ -109,7 +109,7 @@ fn partition(sites: &mut [Site], across: Across, most: f64) -> usize {
         let site = sites[i];
         sites[i] = sites[front];
         sites[front] = site;
-        front += usize::from(site.at[across as usize] <= most);
+        front += usize::from(site.at()[across as usize] <= most);
     }
     front
 }

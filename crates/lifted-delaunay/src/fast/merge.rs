@@ -21,10 +21,10 @@
 //! 1. Below the edge across, nothing changes any more: every edge there is Delaunay in the union.
 //! 2. The circle through the edge across and any point above it that no circle holds is free of points below.
 
-use super::Site;
 use super::asking::Asking;
 use super::part::{Across, Corner, Part};
 use super::rings::{NONE, Rings};
+use super::site::{Site, Sited};
 use super::tie::is_inside_if_first_is_lowered;
 use geometry_core::{InCircle, Kernel2, Point2, Sign};
 
@@ -79,7 +79,7 @@ enum Side {
 impl<K: Kernel2 + InCircle> Seam<'_, '_, K> {
     #[inline(always)]
     fn at(&self, vertex: u32) -> Point2 {
-        self.sites[vertex as usize].at
+        self.sites[vertex as usize].at()
     }
 
     /// The ends of the lower common tangent. The first two corners see each other: nothing lies between.

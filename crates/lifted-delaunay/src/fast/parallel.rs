@@ -10,7 +10,8 @@ use super::asking::Filtered;
 use super::halving::{self, Extent};
 use super::part::Part;
 use super::rings::{HALVES_PER_VERTEX, Half, NONE, Rings, Room};
-use super::{Conquest, Site, room_for_edges};
+use super::site::{Site, Sited};
+use super::{Conquest, room_for_edges};
 use geometry_core::triangulation::order::{Dealt, Keys};
 use geometry_core::{HullError, Points, Triangulation};
 use rayon::prelude::*;
@@ -41,7 +42,7 @@ const SHARES: usize = 4;
 pub fn fast_delaunay_parallel(points: Points<'_, 2>) -> Result<Triangulation, HullError> {
     let mut halves = room_for_edges(points)?;
     let places = points.as_slice().par_iter().zip(0..points.len() as u32);
-    let mut sites: Vec<Site> = places.map(|(&at, id)| Site { at, id }).collect();
+    let mut sites: Vec<Site> = places.map(|(&at, id)| Site::new(at, id)).collect();
     let forks = rayon::current_num_threads().next_power_of_two().ilog2();
     let (whole, room) = solve(&mut sites, &mut halves, Filtered::new(points), forks);
     let Some(out) = whole.map(|part| part.first[0].out).filter(|&e| e != NONE) else {
@@ -49,7 +50,7 @@ pub fn fast_delaunay_parallel(points: Points<'_, 2>) -> Result<Triangulation, Hu
     };
     let mut rings = Rings::new(&mut halves, room);
     rings.mark_outside(out);
-    let names: Vec<u32> = sites.par_iter().map(|site| site.id).collect();
+    let names: Vec<u32> = sites.par_iter().map(Sited::id).collect();
     let edges = rings.finished();
     let share = edges.len().div_ceil(SHARES * rayon::current_num_threads()) + 1;
     let mut triangles = vec![[0; 3]; edges.len() + edges.len() / share + 1];
@@ -102,7 +103,7 @@ fn solve(
     forks: u32,
 ) -> (Option<Part>, Room) {
     let room = Room::all(halves);
-    let extent = Extent::of(sites.iter().map(|site| site.at));
+    let extent = Extent::of(sites.iter().map(Sited::at));
     if forks == 0 || sites.len() < FEW || extent.is_point() {
         let mut conquest = Conquest {
             sites,

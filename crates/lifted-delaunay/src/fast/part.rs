@@ -12,8 +12,8 @@
 //! Extremes, with ties broken by the other coordinate, are corners: the hull turns there. So the outside is seen
 //! through one gap in the ring around each, also where all points are collinear.
 
-use super::Site;
 use super::rings::NONE;
+use super::site::{Site, Sited};
 
 /// The axis across which a set is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,7 +80,7 @@ impl Part {
             last: other.last,
         };
         let along = 1 - across as usize;
-        let coordinate = |corner: Corner| sites[corner.vertex as usize].at[along];
+        let coordinate = |corner: Corner| sites[corner.vertex as usize].at()[along];
         if coordinate(other.first[along]) < coordinate(self.first[along]) {
             joined.first[along] = other.first[along];
         }
@@ -114,13 +114,13 @@ impl Part {
     /// The width and height, rounded.
     #[inline(always)]
     pub(super) fn sides(&self, sites: &[Site]) -> [f64; 2] {
-        let coordinate = |corner: Corner, axis: usize| sites[corner.vertex as usize].at[axis];
+        let coordinate = |corner: Corner, axis: usize| sites[corner.vertex as usize].at()[axis];
         [0, 1].map(|axis| coordinate(self.last[axis], axis) - coordinate(self.first[axis], axis))
     }
 }
 
 #[inline(always)]
 fn comes_before(sites: &[Site], a: Corner, b: Corner, axis: usize) -> bool {
-    let [p, q] = [a, b].map(|corner| sites[corner.vertex as usize].at);
+    let [p, q] = [a, b].map(|corner| sites[corner.vertex as usize].at());
     p[axis] < q[axis] || (p[axis] == q[axis] && p[1 - axis] < q[1 - axis])
 }

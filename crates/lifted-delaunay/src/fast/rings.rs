@@ -234,7 +234,7 @@ impl Finished<'_> {
     ///
     /// Each is found at one edge, that of its two lesser names, on the left of the half that runs upwards. Every
     /// edge's is written down, and the next one over it if there was none: cheaper than branches that nothing could
-    /// predict. So there must be room for one more than there are edges. Places never in use are edges from a vertex to itself.
+    /// predict. So there must be room for one more than there are triangles. Places never in use are edges from a vertex to itself.
     pub(super) fn triangles(
         self,
         edges: Range<usize>,
@@ -243,7 +243,6 @@ impl Finished<'_> {
     ) -> usize {
         let name = |vertex: u32| names[vertex as usize];
         let edges = &self.halves.as_chunks::<2>().0[edges];
-        let triangles = &mut triangles[..edges.len() + 1];
         let mut found = 0;
         for &[there, back] in edges {
             if there[PREV] == NONE && back[PREV] == NONE {
