@@ -121,7 +121,8 @@ const TO_INTEGER: f64 = 6755399441055744.0;
 const MANY: usize = 1 << 19;
 
 impl DirectionMap {
-    /// The map of the surface `mesh` of `points`, to be asked about `count` others; none if the surface is too flat for it, or its coordinates too large or too small.
+    /// The map of the surface `mesh` of `points`, to be asked about `count` others; none if the surface is too flat for it, or
+    /// its coordinates too large or too small.
     ///
     /// It looks from the middle of the corners. If no body about that holds many points of the sample, they may be close
     /// together compared to the polytope; then it also looks from among them, and takes what has such a body or finds more
