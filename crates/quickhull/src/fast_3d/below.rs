@@ -18,7 +18,7 @@
 //! Let n be the normal of a facet *as rounded*, and b its [bound](Plane), for points of both hulls. What is computed of n · (q - p)
 //! is off by less than b.
 //!
-//! 1. Where it is at most -b for all neighbours q of v, these are not higher than v along n. They span the cone of the hull
+//! 1. Where it is at most -b for all neighbours q of v, and a number (a difference may overflow), these are not higher than v along n. They span the cone of the hull
 //!    at v, even where triangles are coplanar or v is not extreme, so no point of the hull is higher.
 //! 2. Then, for every point, n · (p - a) is at most that of v, which is below what is computed of it plus b. The height over the
 //!    exact plane differs from that by less than b again. So below -4 b there is no doubt.
@@ -84,10 +84,11 @@ struct Top {
 fn climb(plane: &Plane, points: &[Point3], stars: &Stars, mut corner: u32) -> Top {
     loop {
         let at = points[corner as usize];
-        let (mut best, mut greatest) = (corner, f64::NEG_INFINITY);
+        let (mut best, mut greatest, mut is_number) = (corner, f64::NEG_INFINITY, true);
         for side in stars.sides(corner) {
             let neighbour = stars.mesh.target(side);
             let rise = plane.rise(at, points[neighbour as usize]);
+            is_number &= !rise.is_nan();
             if rise > greatest {
                 (best, greatest) = (neighbour, rise);
             }
@@ -95,7 +96,7 @@ fn climb(plane: &Plane, points: &[Point3], stars: &Stars, mut corner: u32) -> To
         if plane.is_surely_up(greatest) {
             corner = best;
         } else {
-            let is_certain = plane.is_surely_not_up(greatest);
+            let is_certain = is_number && plane.is_surely_not_up(greatest);
             return Top { corner, is_certain };
         }
     }
@@ -174,5 +175,22 @@ mod tests {
         let (near, far): (Vec<_>, Vec<_>) = halves(grids::lattice(8), 4.0);
         assert_eq!(count_right(&near, &far)?, 2);
         Ok(())
+    }
+
+    /// The difference to the corner that is higher overflows, and times a normal without that component it is no number.
+    #[test]
+    fn a_rise_that_is_not_a_number_leaves_it_open() {
+        let points = [
+            [-f64::MAX, 0.0, 0.0],
+            [f64::MAX, 0.0, 5.0],
+            [-f64::MAX, 1.0, -1.0],
+            [-f64::MAX, 0.0, -2.0],
+        ];
+        let upward = [[0.0, 0.0, 9.0], [1.0, 0.0, 9.0], [0.0, 1.0, 9.0]];
+        let plane = Plane::through(upward, &Span::of(&points));
+        let mesh = TriMesh::tetrahedron([0, 1, 2, 3]);
+        let stars = Stars::of(&mesh, points.len());
+        assert!(plane.rise(points[0], points[1]).is_nan());
+        assert!(!climb(&plane, &points, &stars, 0).is_certain);
     }
 }

@@ -63,3 +63,19 @@ fn halves_of_a_ball_are_sewn_together() -> Result<(), HullError> {
     );
     Ok(())
 }
+
+/// Where even differences of coordinates overflow, nothing is certain of a height that is not a number.
+#[test]
+fn differences_may_overflow() -> Result<(), HullError> {
+    for seed in 0..2_000 {
+        let lattice = random::on_grid(seed, 2 + seed as u32 % 4, 8 + seed as usize % 30);
+        let most = lattice
+            .iter()
+            .flatten()
+            .fold(0.0, |most: f64, &x| most.max(x));
+        let huge = |p: &Point3| p.map(|x| (x / most.max(1.0) - 0.5) * 2.0 * f64::MAX);
+        let points: Vec<Point3> = lattice.iter().map(huge).collect();
+        assert_right(&points, &format!("seed {seed}"))?;
+    }
+    Ok(())
+}
