@@ -48,7 +48,7 @@ pub enum Edges {
     Unknown,
     /// The mesh was grown by [`TriMesh::close`] or [`TriMesh::replace`] from a tetrahedron, and each apex was strictly
     /// inside of the facets just beyond its rim. So only triangles of one cone may be coplanar neighbours: the second side
-    /// of the one is the third of the other.
+    /// of the one is the third of the other. Or it was sewn together from such surfaces, and is bent along the seam.
     BentAtRims,
 }
 

@@ -68,6 +68,9 @@ fn map_of_sample<K: Kernel3>(
         points: taken.collect(),
         ids: places,
     };
+    if sample.ids.len() < FEW {
+        return map_of(sample, count, kernel, &mut Silent);
+    }
     let few = sample.sample(sample_size(sample.ids.len()));
     let thinned = map_of(few, sample.ids.len(), kernel, &mut Silent)?.map(|map| {
         let parts = discard_in_shares(&sample.points, &map);
