@@ -258,8 +258,9 @@ impl TriMesh {
         }
     }
 
-    /// Puts the cone from `apex` over the rim in the place of the triangles `taken_out`, which it empties: as
-    /// [`close`](Self::close) after [`remove`](Self::remove), but in the slots just left, while they are in the cache.
+    /// Puts the cone from `apex` over the rim in the place of the triangles `taken_out`: as
+    /// [`close`](Self::close) after [`remove`](Self::remove), but in the slots just left, while they are in the cache. Leaves the
+    /// triangles of the cone in `taken_out`, in the order of `horizon`.
     ///
     /// Returns a triangle of the cone; `None` if `horizon` is not one closed walk of three sides or more past living
     /// triangles, and then the surface is of no use any more.
@@ -297,7 +298,6 @@ impl TriMesh {
             };
             before = triangle;
         }
-        taken_out.clear();
         is_closed.then_some(before)
     }
 

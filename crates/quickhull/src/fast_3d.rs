@@ -12,13 +12,13 @@
 //! 2. From a centre in it, map directions to how far that hull certainly reaches (`directions`). One look-up and one product
 //!    discard a point.
 //! 3. Do the same to the points left, while that discards many: they lie near the surface, and so does a sample of them.
-//! 4. Run quickhull on the points left, with a rounded height and a proved bound for each facet (`plane`), the
-//!    points moved in memory and not chased (`sets`), and points in the plane of a facet counted as inside (`surface`).
+//! 4. Run quickhull on the points left, with a rounded height and a proved bound for each facet (`plane`), all facets of
+//!    a new cone side by side (`fan`), and points in the plane of a facet counted as inside (`surface`).
 //! 5. Merge coplanar triangles, exactly, and drop corners that are not extreme.
 //!
 //! **Bound.** Of n points, a share of h(m)/m lies outside the hull of a sample of m, where h(m) is the number of extreme
 //! points of such a sample (Efron 1965). The map is O(n) with a constant that does not depend on the hull. Where h(m) grows
-//! slower than m, all is O(n) on average. Space: the points left, two and a half times, and 150 bytes a facet.
+//! slower than m, all is O(n) on average. Space: the points left and a link for each, and 130 bytes a facet.
 //!
 //! **Exactness.** A rounded answer is used only where it is proved right. All others come from the kernel, which is also
 //! asked about the first tetrahedron and when facets are merged.
@@ -30,17 +30,20 @@
 //! one centre, so it is blunt for a set a million times longer than wide, and not used for one 2²⁸ times as far from
 //! the origin as wide; the answer is right all the same.
 
+mod apex;
 mod below;
 mod core;
+mod deal;
 mod directions;
 mod discard;
+mod fan;
 mod halves;
 mod left;
+mod lists;
 mod parallel;
 mod plane;
 mod renumbered;
 mod seam;
-mod sets;
 mod simplex;
 mod surface;
 
@@ -92,7 +95,7 @@ pub fn fast_3d<K: Kernel3, O: Observer>(
     observer: &mut O,
 ) -> Result<Hull3, HullError> {
     // What is discarded is discarded for its coordinates, which must be what the kernel answers about.
-    if kernel.basis() == Basis::Other {
+    if kernel.basis() == Basis::Other || points.len() > lists::MOST {
         return quickhull_3d(points, kernel, observer);
     }
     match map_of_sample(points.as_slice(), kernel, observer)? {
@@ -140,7 +143,7 @@ fn unseen<K: Kernel3>(
     kernel: &K,
     discarding: impl FnOnce() -> Result<Option<Hull3>, HullError>,
 ) -> Result<Hull3, HullError> {
-    if kernel.basis() == Basis::Other || u32::try_from(points.len()).is_err() {
+    if kernel.basis() == Basis::Other || points.len() > lists::MOST {
         return quickhull_3d(Points::new(points)?, kernel, &mut Silent);
     }
     let hull = match discarding() {

@@ -20,6 +20,11 @@
 use geometry_core::HullError;
 use geometry_core::mesh::{SideId, TriMesh, TriangleId};
 
+/// Only with a kernel that is not exact.
+pub(crate) const NOT_ONE_REGION: HullError = HullError::Contradiction {
+    what: "the facets that a point sees are not one region with one rim",
+};
+
 /// What is known of a facet in the search under way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Mark {
@@ -50,8 +55,20 @@ impl Horizon {
         &mut self,
         mesh: &TriMesh,
         start: TriangleId,
-        mut sees: impl FnMut(TriangleId) -> bool,
+        sees: impl FnMut(TriangleId) -> bool,
     ) -> Result<(), HullError> {
+        self.explore(mesh, start, sees);
+        self.check(mesh)
+    }
+
+    /// The same, for [`TriMesh::replace`] to find out whether it is one region.
+    #[inline]
+    pub(crate) fn explore(
+        &mut self,
+        mesh: &TriMesh,
+        start: TriangleId,
+        mut sees: impl FnMut(TriangleId) -> bool,
+    ) {
         self.visible.clear();
         self.rim.clear();
         self.marks.resize(mesh.slots(), Mark::Unknown);
@@ -71,7 +88,6 @@ impl Horizon {
             }
         }
         self.forget_marks();
-        self.check(mesh)
     }
 
     /// Marks a facet as visible, to be left through `sides` in this order.
@@ -102,9 +118,7 @@ impl Horizon {
         if closed && self.rim.len() >= 3 {
             Ok(())
         } else {
-            Err(HullError::Contradiction {
-                what: "the facets that a point sees are not one region with one rim",
-            })
+            Err(NOT_ONE_REGION)
         }
     }
 }

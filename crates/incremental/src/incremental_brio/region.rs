@@ -49,6 +49,7 @@ impl<K: Kernel3, O: Observer> Surface<'_, K, O> {
         region: &mut Region,
     ) -> Result<(), HullError> {
         region.rim.clear();
+        region.seen.clear();
         let facet = seen.triangle();
         let [first, second, third] =
             [seen, seen.next(), seen.previous()].map(|side| self.mesh.twin(side));

@@ -47,7 +47,7 @@ const RELATIVE: f64 = 9.0 * (f64::EPSILON / 2.0);
 const UNDERFLOW: f64 = f64::from_bits((1023 - 1000) << 52);
 
 /// See [`Plane::doubt`].
-const NO_DOUBT: f64 = -1.0;
+pub(super) const NO_DOUBT: f64 = -1.0;
 
 /// How far the points of a set are apart along each axis, and whether heights are exact (case 1).
 #[derive(Clone, Copy, Debug)]
@@ -135,13 +135,13 @@ fn are_small_integers(points: &[Point3], low: Point3, extents: Point3) -> bool {
 /// The plane of a facet.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plane {
-    normal: Point3,
-    through: Point3,
+    pub(super) normal: Point3,
+    pub(super) through: Point3,
     /// No height is off by more than this.
-    bound: f64,
+    pub(super) bound: f64,
     /// Heights no greater than this in magnitude are unsure: the bound, or less than nothing where that is zero, as then heights are
     /// exact, zero too.
-    doubt: f64,
+    pub(super) doubt: f64,
 }
 
 /// What a rounded height tells.

@@ -1,9 +1,9 @@
-//! Quickhull on the points left, with the points of each outside set side by side in memory.
+//! Quickhull on the points left.
 //!
 //! As in [`quickhull_3d`](crate::quickhull_3d()), with two differences:
 //!
-//! * The points themselves are moved from set to set, so a partition streams through memory, and the
-//!   side of a point comes from the facet's [`Plane`] unless that is unsure.
+//! * A point is asked about all facets of a new cone at once ([`fan`](super::fan)), and goes to the list of the first that it
+//!   is outside of ([`deal`]). Its side comes from rounded heights unless that is unsure.
 //! * A point in the plane of a facet counts as *not* outside it, where the other asks a perturbed kernel.
 //!
 //! # Why a point in the plane may count as inside
@@ -25,10 +25,13 @@
 //! are not extreme. That thousands of points in one plane are not inserted but dropped at once is what makes lattices and the faces
 //! of a cube as fast as other points.
 
+use super::apex::before_furthest;
+use super::deal::{Deal, is_outside};
+use super::fan::LANES;
+use super::lists::{Links, List, NIL};
 use super::plane::{Plane, Side, Span};
-use super::sets::{OutsideSets, Site};
 use super::simplex;
-use crate::horizon::Horizon;
+use crate::horizon::{Horizon, NOT_ONE_REGION};
 use crate::pending::Pending;
 use geometry_core::dimension::AffineBasis;
 use geometry_core::mesh::{TriMesh, TriangleId};
@@ -89,15 +92,14 @@ struct Quickhull<'a, K, O> {
     mesh: TriMesh,
     /// The plane of each facet, by facet.
     planes: Vec<Plane>,
-    outside: OutsideSets,
+    /// The points outside each facet, by facet.
+    outside: Vec<List>,
+    links: Links,
     pending: Pending,
     horizon: Horizon,
     /// [`Edges::BentAtRims`] until an apex may have been in the plane of a facet beyond its rim.
     edges: Edges,
-    /// The facets made by the step under way.
-    made: Vec<TriangleId>,
-    /// The points to partition.
-    pool: Vec<Site>,
+    arch: pulp::Arch,
 }
 
 impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
@@ -108,63 +110,70 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
         span: Span,
         simplex: [u32; 4],
     ) -> Self {
-        let mesh = TriMesh::tetrahedron(simplex);
-        let corners = simplex.map(|id| points[id]);
-        let all = points.as_slice().iter().zip(points.ids());
-        let others = all.filter(|(at, _)| !corners.contains(at));
-        let mut pool = Vec::with_capacity(points.len());
-        pool.extend(others.map(|(&at, id)| Site { at, id }));
         let mut quickhull = Self {
             points,
             kernel,
             observer,
             span,
-            made: mesh.triangles().collect(),
-            mesh,
+            mesh: TriMesh::tetrahedron(simplex),
             planes: Vec::new(),
-            outside: OutsideSets::default(),
+            outside: Vec::new(),
+            links: Links::of_all(points.len()),
             pending: Pending::default(),
             horizon: Horizon::default(),
             edges: Edges::BentAtRims,
-            pool,
+            arch: pulp::Arch::new(),
         };
-        quickhull.partition();
+        quickhull.make_room();
+        let [a, b, c, d] = simplex;
+        let [base, walls @ ..] = [0, 1, 2, 3].map(TriangleId);
+        let not_outside_walls = quickhull.deal(0, &walls, d, &[a, b, c, a]);
+        let inside = quickhull.deal(not_outside_walls, &[base], b, &[a, c]);
+        quickhull.discard(inside);
         quickhull
     }
 
-    /// A facet with a point outside, and the furthest such point.
-    fn next_apex(&mut self) -> Option<(TriangleId, Site)> {
+    /// A facet with a point outside, and the furthest such point, taken off its list.
+    fn next_apex(&mut self) -> Option<(TriangleId, u32)> {
         loop {
             let facet = self.pending.next()?;
-            let plane = self.planes[facet.0 as usize];
-            let apex = self.outside.take_by(facet, |sites| furthest(sites, &plane));
-            if let Some(apex) = apex {
-                return Some((facet, apex));
+            let list = &mut self.outside[facet.0 as usize];
+            if list.first != NIL {
+                let plane = &self.planes[facet.0 as usize];
+                let before = before_furthest(&self.links, list.first, self.points, plane);
+                return Some((facet, self.links.take_after(before, list)));
             }
         }
     }
 
     /// Adds `apex`, which is outside `facet`, to the surface.
-    fn add(&mut self, facet: TriangleId, apex: Site) -> Result<(), HullError> {
-        self.observer.step(|| Step::Apex(apex.id));
-        self.find_horizon(facet, apex.at)?;
-        self.pool.clear();
-        for &facet in &self.horizon.visible {
-            let [a, b, c] = self.mesh.corners(facet);
-            self.observer.step(|| Step::Drop(a, b, c));
-            self.outside.take(facet, &mut self.pool);
-            self.mesh.remove(facet);
+    fn add(&mut self, facet: TriangleId, apex: u32) -> Result<(), HullError> {
+        self.observer.step(|| Step::Apex(apex));
+        self.find_horizon(facet, self.points[apex]);
+        let mut first = self.take_visible();
+        let Horizon { visible, rim, .. } = &mut self.horizon;
+        let cone = self.mesh.replace(visible, rim, apex);
+        cone.ok_or(NOT_ONE_REGION)?;
+        self.observer.step(|| Step::Insert(apex));
+        self.make_room();
+        // The horizon's vector now holds the cone.
+        let cone = std::mem::take(&mut self.horizon.visible);
+        let mut rim = [0; LANES + 1];
+        for facets in cone.chunks(LANES) {
+            for (place, &facet) in facets.iter().enumerate() {
+                [rim[place], rim[place + 1], _] = self.mesh.corners(facet);
+            }
+            first = self.deal(first, facets, apex, &rim[..=facets.len()]);
         }
-        self.mesh.close(&self.horizon.rim, apex.id, &mut self.made);
-        self.observer.step(|| Step::Insert(apex.id));
-        self.partition();
+        self.horizon.visible = cone;
+        self.discard(first);
         Ok(())
     }
 
-    fn find_horizon(&mut self, start: TriangleId, p: Point3) -> Result<(), HullError> {
+    fn find_horizon(&mut self, start: TriangleId, p: Point3) {
         let (points, kernel, mesh, planes) = (self.points, self.kernel, &self.mesh, &self.planes);
         let edges = &mut self.edges;
-        self.horizon.search(mesh, start, |facet| {
+        self.horizon.explore(mesh, start, |facet| {
             let plane = &planes[facet.0 as usize];
             let height = plane.height(p);
             match plane.side(height) {
@@ -176,105 +185,68 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
                     false
                 }
                 Side::Unsure => {
-                    let is_outside = is_outside(points, kernel, mesh.corners(facet), &p);
+                    let is_outside = is_outside(points, kernel, mesh.corners(facet), p);
                     if !is_outside {
                         *edges = Edges::Unknown;
                     }
                     is_outside
                 }
             }
+        });
+    }
+
+    /// Takes the visible facets off the surface, and the points outside of them from their lists; the first of these.
+    fn take_visible(&mut self) -> u32 {
+        let (mesh, outside, observer) = (&mut self.mesh, &mut self.outside, &mut self.observer);
+        let lists = self.horizon.visible.iter().map(|&facet| {
+            let [a, b, c] = mesh.corners(facet);
+            observer.step(|| Step::Drop(a, b, c));
+            mesh.take_out(facet);
+            std::mem::replace(&mut outside[facet.0 as usize], List::EMPTY)
+        });
+        self.links.joined(lists)
+    }
+
+    /// Room for all facets of the mesh.
+    fn make_room(&mut self) {
+        self.planes.resize(self.mesh.slots(), Plane::NONE);
+        self.outside.resize(self.mesh.slots(), List::EMPTY);
+    }
+
+    /// Gives the points of the list that begins with `first` to the first of the new `facets` that they are outside of; the first
+    /// of the others. The facets are side by side about `apex`, over the edges of the walk `rim`.
+    fn deal(&mut self, first: u32, facets: &[TriangleId], apex: u32, rim: &[u32]) -> u32 {
+        for &facet in facets {
+            let [a, b, c] = self.mesh.corners(facet);
+            self.observer.step(|| Step::Facet(a, b, c));
+        }
+        let mut corners = [self.points[apex]; LANES + 1];
+        for (corner, &id) in corners.iter_mut().zip(rim) {
+            *corner = self.points[id];
+        }
+        self.arch.dispatch(Deal {
+            first,
+            facets,
+            apex: self.points[apex],
+            rim: &corners,
+            points: self.points,
+            span: &self.span,
+            kernel: self.kernel,
+            observer: self.observer,
+            mesh: &self.mesh,
+            planes: &mut self.planes,
+            outside: &mut self.outside,
+            links: &mut self.links,
+            pending: &mut self.pending,
         })
     }
 
-    /// Gives each point of the pool to the first facet made that it is outside of, and drops the others.
-    fn partition(&mut self) {
-        let made = std::mem::take(&mut self.made);
-        self.planes.resize(self.mesh.slots(), Plane::NONE);
-        for &facet in &made {
-            let corners = self.mesh.corners(facet);
-            let [a, b, c] = corners;
-            self.observer.step(|| Step::Facet(a, b, c));
-            self.planes[facet.0 as usize] =
-                Plane::through(corners.map(|id| self.points[id]), &self.span);
-        }
-        for &facet in &made {
-            if self.pool.is_empty() {
-                break;
+    /// Tells that the points of a list are not extreme.
+    fn discard(&mut self, first: u32) {
+        if O::ACTIVE {
+            for id in self.links.from(first) {
+                self.observer.step(|| Step::Discard(id));
             }
-            self.claim(facet);
-        }
-        for site in &self.pool {
-            self.observer.step(|| Step::Discard(site.id));
-        }
-        self.made = made;
-    }
-
-    /// Moves the points of the pool that are outside `facet` to its outside set.
-    ///
-    /// The side of a point does not decide a branch: the processor could not foresee it.
-    fn claim(&mut self, facet: TriangleId) {
-        let corners = self.mesh.corners(facet);
-        let plane = self.planes[facet.0 as usize];
-        let len = self.pool.len();
-        let pool = &mut self.pool[..len];
-        let room = &mut self.outside.room(len)[..len];
-        let (mut outside, mut rest) = (0, 0);
-        for place in 0..len {
-            self.observer.step(|| Step::Visit(pool[place].id));
-            let height = plane.height(pool[place].at);
-            let mut is_out = plane.is_outside(height);
-            if plane.is_unsure(height) {
-                is_out = is_outside(self.points, self.kernel, corners, &pool[place].at);
-            }
-            room[outside] = pool[place];
-            pool[rest] = pool[place];
-            outside += usize::from(is_out);
-            rest += usize::from(!is_out);
-        }
-        self.pool.truncate(rest);
-        if outside > 0 {
-            self.outside.put(facet, outside);
-            let stored = self.outside.stored();
-            self.observer.step(|| Step::Storage(stored as u32));
-            self.pending.put_off(facet);
         }
     }
-}
-
-/// The place of the furthest of some points outside a facet: of those at one height the lexicographically largest, which is
-/// more often extreme than the others; of its copies the first, because the others are dropped. Copies are in the order of
-/// their indices in every set, as they always go together.
-fn furthest(sites: &[Site], plane: &Plane) -> usize {
-    let (mut furthest, mut greatest, mut is_tied) = (0, f64::NEG_INFINITY, false);
-    for (place, site) in sites.iter().enumerate() {
-        let height = plane.height(site.at);
-        is_tied |= height == greatest;
-        let is_further = height > greatest;
-        greatest = if is_further { height } else { greatest };
-        furthest = if is_further { place } else { furthest };
-    }
-    if !is_tied {
-        return furthest;
-    }
-    let as_high = (0..sites.len()).filter(|&place| plane.height(sites[place].at) == greatest);
-    as_high.fold(furthest, |best, place| {
-        if sites[place].at > sites[best].at {
-            place
-        } else {
-            best
-        }
-    })
-}
-
-/// Whether the kernel finds p outside the facet with these corners. A corner is not, and its copies are common.
-#[cold]
-#[inline(never)]
-fn is_outside<K: Kernel3>(
-    points: Points<'_, 3>,
-    kernel: &K,
-    corners: [u32; 3],
-    p: &Point3,
-) -> bool {
-    let ([a, b, c], p) = (corners.map(|id| points[id]), *p);
-    p != a && p != b && p != c && kernel.orient3(a, b, c, p).is_positive()
 }
