@@ -161,8 +161,8 @@ fn candidates<'a, O: Observer>(
     match throw_away(points, kept, observer, sift) {
         Left::All => Candidates { points, ids: None },
         Left::Kept => Candidates {
-            points: &kept.points,
-            ids: Some(&kept.ids),
+            points: kept.points(),
+            ids: Some(kept.ids()),
         },
     }
 }

@@ -60,7 +60,7 @@ impl Cascade {
             return false;
         }
         while pays(before, kept.len(), &self.corners) {
-            let corners = self.corners.refined(&kept.points);
+            let corners = self.corners.refined(kept.points());
             let Some(polygon) = Polygon::of(&corners) else {
                 break;
             };
@@ -115,7 +115,7 @@ impl Cascade {
             Some(_) => self.sift_in_steps(points, range, kept, observer),
             None => {
                 kept.fill(points, first, only);
-                report(range, &kept.ids, observer);
+                report(range, kept.ids(), observer);
             }
         }
     }
@@ -136,7 +136,7 @@ impl Cascade {
                 Some(core) => step.fill(points, first, core),
                 None => step.fill(points, first, polygons.next().expect("never empty")),
             }
-            report(first..first + points.len() as u32, &step.ids, observer);
+            report(first..first + points.len() as u32, step.ids(), observer);
             for polygon in polygons {
                 step.thin_reported(polygon, observer);
             }
@@ -150,12 +150,12 @@ impl Kept {
     /// [`thin`](Self::thin), and tells the observer.
     pub(super) fn thin_reported<O: Observer>(&mut self, polygon: &Polygon, observer: &mut O) {
         let ids = if O::ACTIVE {
-            self.ids.to_vec()
+            self.ids().to_vec()
         } else {
             Vec::new()
         };
         self.thin(polygon);
-        report(ids, &self.ids, observer);
+        report(ids, self.ids(), observer);
     }
 }
 

@@ -61,11 +61,21 @@ pub(super) fn lesser(a: f64, b: f64) -> f64 {
 /// The points kept, with their indices in the caller's slice, in its order.
 #[derive(Default)]
 pub(super) struct Kept {
-    pub(super) points: SmallVec<[Point2; INLINE]>,
-    pub(super) ids: SmallVec<[u32; INLINE]>,
+    /// How many there are; what is stored behind them is of no meaning.
+    len: usize,
+    points: SmallVec<[Point2; INLINE]>,
+    ids: SmallVec<[u32; INLINE]>,
 }
 
 impl Kept {
+    pub(super) fn points(&self) -> &[Point2] {
+        &self.points[..self.len]
+    }
+
+    pub(super) fn ids(&self) -> &[u32] {
+        &self.ids[..self.len]
+    }
+
     /// Adds those of the points that are not certain to lie in the region; the first point's index is `first`.
     pub(super) fn fill<R: Region>(&mut self, points: &[Point2], first: u32, region: &R) {
         pulp::Arch::new().dispatch(Fill {
@@ -83,34 +93,46 @@ impl Kept {
 
     /// Adds what another kept.
     pub(super) fn append(&mut self, other: &Kept) {
-        self.points.extend_from_slice(&other.points);
-        self.ids.extend_from_slice(&other.ids);
+        self.points.truncate(self.len);
+        self.ids.truncate(self.len);
+        self.points.extend_from_slice(other.points());
+        self.ids.extend_from_slice(other.ids());
+        self.len = self.points.len();
     }
 
     pub(super) fn clear(&mut self) {
-        self.points.clear();
-        self.ids.clear();
+        self.len = 0;
     }
 
     pub(super) fn len(&self) -> usize {
-        self.points.len()
+        self.len
     }
 
     /// Adds the points of the block whose bits are set; the block's first point has the index `first`.
     #[inline(always)]
     fn add(&mut self, block: &[Point2; BLOCK], first: u32, mut bits: u64) {
-        let (before, count) = (self.points.len(), bits.count_ones() as usize);
-        self.points.resize(before + count, [0.0; 2]);
-        self.ids.resize(before + count, 0);
-        let new = self.points[before..]
+        let (before, after) = (self.len, self.len + bits.count_ones() as usize);
+        if after > self.points.len() {
+            self.make_room(after);
+        }
+        self.len = after;
+        let new = self.points[before..after]
             .iter_mut()
-            .zip(&mut self.ids[before..]);
+            .zip(&mut self.ids[before..after]);
         for (point, id) in new {
             let place = bits.trailing_zeros() % BLOCK as u32;
             bits &= bits.wrapping_sub(1);
             *point = block[place as usize];
             *id = first + place;
         }
+    }
+
+    /// Room for so many, and if there are many, for more.
+    #[inline(never)]
+    fn make_room(&mut self, len: usize) {
+        let room = if len > INLINE { len + len / 2 } else { len };
+        self.points.resize(room, [0.0; 2]);
+        self.ids.resize(room, 0);
     }
 }
 
@@ -158,8 +180,8 @@ impl<R: Region> pulp::NullaryFnOnce for Thin<'_, R> {
 
     #[inline(always)]
     fn call(self) {
-        let Kept { points, ids } = self.kept;
-        let (points_kept, ids_kept) = (&mut points[..], &mut ids[..]);
+        let Kept { len, points, ids } = self.kept;
+        let (points_kept, ids_kept) = (&mut points[..*len], &mut ids[..*len]);
         let mut count = 0;
         for start in (0..points_kept.len()).step_by(BLOCK) {
             let len = BLOCK.min(points_kept.len() - start);
@@ -174,7 +196,6 @@ impl<R: Region> pulp::NullaryFnOnce for Thin<'_, R> {
                 count += 1;
             }
         }
-        points.truncate(count);
-        ids.truncate(count);
+        *len = count;
     }
 }

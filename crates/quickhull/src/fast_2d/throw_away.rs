@@ -34,7 +34,7 @@ pub(super) fn throw_away<O: Observer>(
     sift(&cascade, points, kept, observer);
     let (mut before, mut corners) = (points.len(), cascade.corners);
     while pays(before, kept.len(), &corners) {
-        corners = corners.refined(&few_enough(&kept.points));
+        corners = corners.refined(&few_enough(kept.points()));
         let Some(polygon) = Polygon::of(&corners) else {
             break;
         };
