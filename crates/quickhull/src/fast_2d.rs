@@ -10,8 +10,8 @@
 //!
 //! 1. Find the points furthest along the axes and the diagonals, in a sample if there are many points: the corners of a
 //!    polygon (`polygon`). Add the points furthest outside its edges while that cuts off much of the sample, and fit an
-//!    octagon inside that is cheap to test (`core`).
-//! 2. Pass over all points and drop those certainly in the octagon or the polygon: a few operations without a branch, in
+//!    `ellipse` or an `octagon` inside that is cheap to test (`cascade`).
+//! 2. Pass over all points and drop those certainly in one of these or in the polygon: a few operations without a branch, in
 //!    vectors (`region`, `cascade`).
 //! 3. Refine the corners by the points left and drop again, while that drops many (`throw_away`).
 //! 4. Split the rest by the line through the leftmost and the rightmost point, sort each side (`order`), and scan it for
@@ -41,8 +41,9 @@
 
 mod cascade;
 mod chains;
-mod core;
+mod ellipse;
 mod extremes;
+mod octagon;
 mod order;
 mod parallel;
 mod polygon;

@@ -1,6 +1,7 @@
 //! The regions that all points are tested against, chosen on a sample.
 
-use super::core::Core;
+use super::ellipse::Ellipse;
+use super::octagon::Octagon;
 use super::polygon::{Corners, Polygon};
 use super::region::Kept;
 use geometry_core::{Observer, Point2, Step};
@@ -21,6 +22,22 @@ const MANY: usize = 512;
 
 /// With fewer points, a pass takes longer than sorting those that it throws away.
 const FEW: usize = 24;
+
+/// A region inside the polygons that holds many points and is cheap to test.
+enum Core {
+    Octagon(Octagon),
+    Ellipse(Ellipse),
+}
+
+impl Core {
+    /// Fills `kept`; see there.
+    fn sift(&self, points: &[Point2], first: u32, kept: &mut Kept) {
+        match self {
+            Core::Octagon(octagon) => kept.fill(points, first, octagon),
+            Core::Ellipse(ellipse) => kept.fill(points, first, ellipse),
+        }
+    }
+}
 
 /// One region after another, each for the points not in those before.
 pub(super) struct Cascade {
@@ -79,18 +96,23 @@ impl Cascade {
         let Some(polygon) = self.polygons.last() else {
             return;
         };
+        let few = &sample[..sample.len().min(1024)];
         let centres = [mean(self.corners.as_slice()), median(sample)];
-        let cores = centres.map(|centre| {
-            let core = Core::inside(polygon, &self.corners, centre)?;
-            let mut kept = Kept::default();
-            kept.fill(&sample[..sample.len().min(1024)], 0, &core);
-            Some((kept.len(), core))
+        let cores = centres.into_iter().flat_map(|centre| {
+            let ellipse = Ellipse::inside(polygon, &self.corners, centre).map(Core::Ellipse);
+            let octagon = Octagon::inside(polygon, &self.corners, centre).map(Core::Octagon);
+            ellipse.into_iter().chain(octagon)
         });
-        let best = cores.into_iter().flatten().min_by_key(|(left, _)| *left);
+        let tried = cores.map(|core| {
+            let mut kept = Kept::default();
+            core.sift(few, 0, &mut kept);
+            (kept.len(), core)
+        });
+        let best = tried.min_by_key(|(left, _)| *left);
         let Some((left, core)) = best else {
             return;
         };
-        let tried = sample.len().min(1024);
+        let tried = few.len();
         if left <= tried / 2 && self.polygons.len() > 1 {
             self.polygons.remove(0);
         }
@@ -133,7 +155,7 @@ impl Cascade {
         for (points, first) in points.chunks(STEP).zip(range.step_by(STEP)) {
             let mut polygons = self.polygons.iter();
             match &self.core {
-                Some(core) => step.fill(points, first, core),
+                Some(core) => core.sift(points, first, &mut step),
                 None => step.fill(points, first, polygons.next().expect("never empty")),
             }
             report(first..first + points.len() as u32, step.ids(), observer);

@@ -195,6 +195,20 @@ impl Polygon {
         })
     }
 
+    /// A factor by which the ellipse about the centre with these half axes can be made larger without reaching an edge, but for
+    /// roundings of the factor itself; not positive if the centre is not inside.
+    pub(super) fn room_for_ellipse(&self, centre: Point2, [level, upright]: [f64; 2]) -> f64 {
+        if centre[0].abs() + centre[1].abs() > self.reach {
+            return 0.0;
+        }
+        let room = |edge: &Edge| {
+            let (along, across) = (edge.a * level, edge.b * upright);
+            (edge.at(centre) - self.bound) / (along * along + across * across).sqrt()
+        };
+        let edges = self.edges.as_flattened().iter();
+        edges.map(room).fold(f64::INFINITY, lesser)
+    }
+
     /// About the largest factor by which the points can be moved away from the centre, as a part of their distance
     /// from it, without leaving the polygon; not positive if the centre is outside.
     pub(super) fn room(&self, centre: Point2, points: &[Point2; 8]) -> f64 {

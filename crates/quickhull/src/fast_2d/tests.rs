@@ -1,6 +1,7 @@
 //! What is certified lies strictly inside, and would not with a smaller bound.
 
-use super::core::Core;
+use super::ellipse::Ellipse;
+use super::octagon::Octagon;
 use super::polygon::{Corners, Edge, Polygon};
 use super::region::{BLOCK, Region};
 use geometry_core::{Exact, Kernel2, Point2};
@@ -150,7 +151,7 @@ fn the_core_certifies_inner_points_only() {
             .refined(&cloud);
         let centre = [width * offset, height * offset];
         let Some(core) =
-            Polygon::of(&corners).and_then(|polygon| Core::inside(&polygon, &corners, centre))
+            Polygon::of(&corners).and_then(|polygon| Octagon::inside(&polygon, &corners, centre))
         else {
             continue;
         };
@@ -177,19 +178,20 @@ fn an_octagon_that_sticks_out_is_refused() {
         .collect();
     let corners = Corners::distinct(circle);
     let polygon = Polygon::of(&corners).expect("sixteen corners");
-    let around = Core::around(corners.as_slice()).expect("as wide as high");
+    let around = Octagon::around(corners.as_slice()).expect("as wide as high");
     assert!(!around.is_inside(&polygon));
-    let core = Core::inside(&polygon, &corners, [0.0, 0.0]).expect("room about the centre");
+    let core = Octagon::inside(&polygon, &corners, [0.0, 0.0]).expect("room about the centre");
     assert!(core.is_inside(&polygon));
     // A centre outside leaves no room.
-    assert!(Core::inside(&polygon, &corners, [2.0, 0.0]).is_none());
+    assert!(Octagon::inside(&polygon, &corners, [2.0, 0.0]).is_none());
 }
 
 #[test]
 fn what_is_not_finite_or_far_away_is_not_inside() {
     let corners = Corners::distinct([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]);
     let polygon = Polygon::of(&corners).expect("a square");
-    let core = Core::inside(&polygon, &corners, [0.0, 0.0]).expect("room about the centre");
+    let octagon = Octagon::inside(&polygon, &corners, [0.0, 0.0]).expect("room about the centre");
+    let ellipse = Ellipse::inside(&polygon, &corners, [0.0, 0.0]).expect("room about the centre");
     let values = [
         0.0,
         f64::NAN,
@@ -202,7 +204,11 @@ fn what_is_not_finite_or_far_away_is_not_inside() {
     for (point, place) in points.iter_mut().zip(0..36) {
         *point = [values[place % 6], values[place / 6]];
     }
-    for bits in [polygon.not_inside(&points), core.not_inside(&points)] {
+    for bits in [
+        polygon.not_inside(&points),
+        octagon.not_inside(&points),
+        ellipse.not_inside(&points),
+    ] {
         assert_eq!(bits, (1 << 36) - 2);
     }
 }

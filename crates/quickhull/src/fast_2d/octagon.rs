@@ -27,18 +27,18 @@ use geometry_core::Point2;
 /// Axes: x, y and the two diagonals.
 const AXES: usize = 4;
 
-/// Sets longer than 2²⁰ times their width have no core.
+/// Sets longer than 2²⁰ times their width have none.
 const LONGEST: i32 = 20;
 
 /// The octagon.
 #[derive(Debug)]
-pub(super) struct Core {
+pub(super) struct Octagon {
     s: f64,
     least: [f64; AXES],
     most: [f64; AXES],
 }
 
-impl Core {
+impl Octagon {
     /// The octagon around the corners, shrunk about the centre until it lies inside their polygon; none if that fails.
     pub(super) fn inside(polygon: &Polygon, corners: &Corners, centre: Point2) -> Option<Self> {
         let around = Self::around(corners.as_slice())?;
@@ -50,12 +50,12 @@ impl Core {
         let shrink = |bounds: [f64; AXES]| -> [f64; AXES] {
             std::array::from_fn(|axis| along[axis] + room * (bounds[axis] - along[axis]))
         };
-        let core = Self {
+        let octagon = Self {
             s: around.s,
             least: shrink(around.least),
             most: shrink(around.most),
         };
-        core.is_inside(polygon).then_some(core)
+        octagon.is_inside(polygon).then_some(octagon)
     }
 
     pub(super) fn around(corners: &[Point2]) -> Option<Self> {
@@ -128,7 +128,7 @@ fn values(s: f64, [x, y]: Point2) -> [f64; AXES] {
     [x, y, s * x + y, s * x - y]
 }
 
-impl Region for Core {
+impl Region for Octagon {
     /// The least of the differences that the comparisons are about. Their signs are exact. The sum of the coordinates
     /// comes first, as it is not finite if one of them is not, and a NaN stays the least.
     #[inline(always)]
