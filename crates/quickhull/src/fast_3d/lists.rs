@@ -69,6 +69,20 @@ impl Links {
         }
     }
 
+    /// Takes points off the list of [all](Self::of_all), from which no others have been taken; the first point left.
+    pub(super) fn first_without<const N: usize>(&mut self, mut ids: [u32; N]) -> u32 {
+        ids.sort_unstable();
+        let mut first = 0;
+        for &id in ids.iter().rev() {
+            let following = self.after(id);
+            match id.checked_sub(1) {
+                Some(before) => self.after[before as usize] = following,
+                None => first = following,
+            }
+        }
+        first
+    }
+
     /// The points of the list that begins with `first`.
     pub(super) fn from(&self, first: u32) -> impl Iterator<Item = u32> + '_ {
         let point = |id: u32| (id != NIL).then_some(id);
@@ -188,6 +202,18 @@ mod tests {
         let expected = (4..199).step_by(3).filter(|&id| id != 7);
         assert!(links.from(joined).eq(expected.chain((2..200).step_by(3))));
         assert_eq!(links.joined([empty, empty].into_iter()), NIL);
+    }
+
+    #[test]
+    fn some_of_all_are_left_out() {
+        let left = |ids: [u32; 3]| {
+            let mut links = Links::of_all(6);
+            let first = links.first_without(ids);
+            links.from(first).collect::<Vec<u32>>()
+        };
+        assert_eq!(left([3, 1, 4]), [0, 2, 5]);
+        assert_eq!(left([1, 0, 5]), [2, 3, 4]);
+        assert_eq!(Links::of_all(3).first_without([2, 0, 1]), NIL);
     }
 
     #[test]

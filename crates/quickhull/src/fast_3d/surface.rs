@@ -127,7 +127,10 @@ impl<'a, K: Kernel3, O: Observer> Quickhull<'a, K, O> {
         quickhull.make_room();
         let [a, b, c, d] = simplex;
         let [base, walls @ ..] = [0, 1, 2, 3].map(TriangleId);
-        let not_outside_walls = quickhull.deal(0, &walls, d, &[a, b, c, a]);
+        let links = points.len() as u32;
+        quickhull.observer.step(|| Step::Storage(links));
+        let others = quickhull.links.first_without(simplex);
+        let not_outside_walls = quickhull.deal(others, &walls, d, &[a, b, c, a]);
         let inside = quickhull.deal(not_outside_walls, &[base], b, &[a, c]);
         quickhull.discard(inside);
         quickhull
