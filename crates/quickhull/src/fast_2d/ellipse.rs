@@ -14,7 +14,8 @@
 //! the ellipse is T - r √((a A)² + (b B)²), so r is chosen as the least of T / √(…) over all edges, with half the polygon's
 //! [bound](super::polygon) and more taken off T for its rounding. What else is rounded, in r and in the test itself, is rounded relative to
 //! its size: differences, products and sums of what is positive, by less than 2⁻⁴⁰ in all, as long as nothing
-//! underflows. r is made smaller by 2⁻³⁰ of itself for that. With 2⁻⁴⁰⁰ ≤ A, B ≤ 2⁴⁰⁰, what
+//! underflows. r is made smaller by 2⁻³⁰ of itself for that. With 2⁻⁴⁰⁰ ≤ A, B ≤ 2⁴⁰⁰ and r ≥ 2⁻¹¹⁰ (T is above the bound, of
+//! 2⁻⁴⁸ M, by a unit of its last place, and the root at most 2 M), what
 //! underflows, in a, b or a square, is less than 2⁻²⁰⁰ of what it is added to or compared with. A coordinate that is infinite, or a
 //! square that overflows, makes the measure infinite and negative, and one that is NaN makes it NaN.
 
@@ -43,11 +44,7 @@ impl Ellipse {
     /// The largest inside the polygon of these corners that is as wide and high as they are, up to a factor; none if the centre is not
     /// inside.
     pub(super) fn inside(polygon: &Polygon, corners: &Corners, centre: Point2) -> Option<Self> {
-        let axes = [0, 1].map(|axis| {
-            let along = || corners.as_slice().iter().map(|corner| corner[axis]);
-            let (least, most) = (f64::INFINITY, f64::NEG_INFINITY);
-            (along().fold(most, f64::max) - along().fold(least, f64::min)) / 2.0
-        });
+        let axes = corners.extents().map(|extent| extent / 2.0);
         let in_range = axes.iter().all(|axis| (SMALLEST..=LARGEST).contains(axis));
         let room = polygon.room_for_ellipse(centre, axes) * SHRUNK;
         (in_range && room > 0.0).then(|| Self {

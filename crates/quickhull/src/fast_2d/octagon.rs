@@ -41,7 +41,7 @@ pub(super) struct Octagon {
 impl Octagon {
     /// The octagon around the corners, shrunk about the centre until it lies inside their polygon; none if that fails.
     pub(super) fn inside(polygon: &Polygon, corners: &Corners, centre: Point2) -> Option<Self> {
-        let around = Self::around(corners.as_slice())?;
+        let around = Self::around(corners)?;
         let room = polygon.room(centre, &around.ends()) * (1.0 - f64::EPSILON.sqrt());
         if room.is_nan() || room <= 0.0 {
             return None;
@@ -58,11 +58,8 @@ impl Octagon {
         octagon.is_inside(polygon).then_some(octagon)
     }
 
-    pub(super) fn around(corners: &[Point2]) -> Option<Self> {
-        let [width, height] = [0, 1].map(|axis| {
-            let along = || corners.iter().map(|corner| corner[axis]);
-            along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
-        });
+    pub(super) fn around(corners: &Corners) -> Option<Self> {
+        let [width, height] = corners.extents();
         let exponent = |x: f64| (x.to_bits() >> 52) as i32;
         let slope = exponent(height) - exponent(width);
         if slope.abs() > LONGEST {
@@ -74,7 +71,7 @@ impl Octagon {
             least: [f64::INFINITY; AXES],
             most: [f64::NEG_INFINITY; AXES],
         };
-        for &corner in corners {
+        for &corner in corners.as_slice() {
             for (axis, value) in values(s, corner).into_iter().enumerate() {
                 around.least[axis] = around.least[axis].min(value);
                 around.most[axis] = around.most[axis].max(value);

@@ -143,6 +143,14 @@ impl Corners {
         self.0.len()
     }
 
+    /// How far they are apart along either axis.
+    pub(super) fn extents(&self) -> [f64; 2] {
+        [0, 1].map(|axis| {
+            let along = || self.0.iter().map(|corner| corner[axis]);
+            along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+        })
+    }
+
     pub(super) fn as_slice(&self) -> &[Point2] {
         &self.0
     }

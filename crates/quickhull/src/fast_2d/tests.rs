@@ -178,7 +178,7 @@ fn an_octagon_that_sticks_out_is_refused() {
         .collect();
     let corners = Corners::distinct(circle);
     let polygon = Polygon::of(&corners).expect("sixteen corners");
-    let around = Octagon::around(corners.as_slice()).expect("as wide as high");
+    let around = Octagon::around(&corners).expect("as wide as high");
     assert!(!around.is_inside(&polygon));
     let core = Octagon::inside(&polygon, &corners, [0.0, 0.0]).expect("room about the centre");
     assert!(core.is_inside(&polygon));

@@ -57,7 +57,7 @@ mod tests {
     use super::super::plane::Span;
     use super::*;
 
-    /// Over the plane z = 0: heights 1, 3, 3, 3, 2, of which the fourth is the largest and has a copy after it.
+    /// Over the plane z = 0: heights 1, 3, 3, 3, 3, 2, of which the fourth is the largest and has a copy after it.
     #[test]
     fn of_points_as_high_the_first_of_the_largest_is_furthest() {
         let ground = [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [0.0, 9.0, 0.0]];

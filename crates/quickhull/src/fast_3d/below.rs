@@ -18,8 +18,9 @@
 //! Let n be the normal of a facet *as rounded*, and b its [bound](Plane), for points of both hulls. What is computed of n · (q - p)
 //! is off by less than b.
 //!
-//! 1. Where it is at most -b for all neighbours q of v, and a number (a difference may overflow), these are not higher than v along n. They span the cone of the hull
-//!    at v, even where triangles are coplanar or v is not extreme, so no point of the hull is higher.
+//! 1. Where it is at most -b for all neighbours q of v, and a number (a difference may overflow), these are not higher than v
+//!    along n. They span the cone of the hull at v, even where triangles are coplanar or v is not extreme, so no point of the hull is
+//!    higher.
 //! 2. Then, for every point, n · (p - a) is at most that of v, which is below what is computed of it plus b. The height over the
 //!    exact plane differs from that by less than b again. So below -4 b there is no doubt.
 //! 3. A step goes up, by more than b as computed, so it does in truth, and a walk ends.

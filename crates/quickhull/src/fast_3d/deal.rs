@@ -4,7 +4,7 @@
 
 use super::fan::{Fan, LANES};
 use super::lists::{Links, List, NIL};
-use super::plane::{Plane, Span};
+use super::plane::{Plane, Side, Span};
 use crate::pending::Pending;
 use geometry_core::mesh::{TriMesh, TriangleId};
 use geometry_core::{Kernel3, Observer, Point3, Points, Step};
@@ -52,8 +52,15 @@ impl<K: Kernel3, O: Observer> WithSimd for Deal<'_, '_, K, O> {
                 .for_each(|_| self.observer.step(|| Step::Visit(id)));
             let p = &points.as_slice()[id as usize];
             fan.first_outside(simd, p).unwrap_or_else(|| {
-                fan.first_exactly(p, |lane| {
-                    is_outside(points, self.kernel, self.mesh.corners(facets[lane]), *p)
+                first_exactly(facets, |facet| {
+                    let plane = &self.planes[facet.0 as usize];
+                    match plane.side(plane.height(*p)) {
+                        Side::Outside => true,
+                        Side::Within => false,
+                        Side::Unsure => {
+                            is_outside(points, self.kernel, self.mesh.corners(facet), *p)
+                        }
+                    }
                 })
             })
         });
@@ -66,6 +73,14 @@ impl<K: Kernel3, O: Observer> WithSimd for Deal<'_, '_, K, O> {
         }
         self.links.closed(&hands, LANES).first
     }
+}
+
+/// The lane of the first facet that a point is outside of, or [`LANES`], where that was not sure.
+#[cold]
+#[inline(never)]
+fn first_exactly(facets: &[TriangleId], is_outside: impl Fn(TriangleId) -> bool) -> usize {
+    let first = facets.iter().position(|&facet| is_outside(facet));
+    first.unwrap_or(LANES)
 }
 
 /// Whether the kernel finds p outside the facet with these corners. A corner is not, and its copies are common.

@@ -136,7 +136,7 @@ fn are_small_integers(points: &[Point3], low: Point3, extents: Point3) -> bool {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plane {
     pub(super) normal: Point3,
-    pub(super) through: Point3,
+    through: Point3,
     /// No height is off by more than this.
     pub(super) bound: f64,
     /// Heights no greater than this in magnitude are unsure: the bound, or less than nothing where that is zero, as then heights are
