@@ -5,7 +5,6 @@
 //! 3. Refine the corners by the points kept, and pass over these again, while that pays.
 
 use super::cascade::{Cascade, pays};
-use super::extremes::MOST_POINTS;
 use super::polygon::Polygon;
 use super::region::Kept;
 use geometry_core::{Observer, Point2};
@@ -44,11 +43,17 @@ pub(super) fn throw_away<O: Observer>(
     Left::Kept
 }
 
-/// At most [`MOST_POINTS`] of the points, from all over the slice.
+/// So many points decide about corners: with more of them the polygon hardly grows.
+const ENOUGH: usize = 1 << 13;
+
+/// Fewer than twice [`ENOUGH`] of the points, from all over the slice.
 fn few_enough(points: &[Point2]) -> Cow<'_, [Point2]> {
-    if points.len() <= MOST_POINTS {
+    if points.len() <= 2 * ENOUGH {
         return points.into();
     }
-    let step = points.len().div_ceil(MOST_POINTS);
-    points.iter().copied().step_by(step).collect()
+    points
+        .iter()
+        .copied()
+        .step_by(points.len() / ENOUGH)
+        .collect()
 }
