@@ -56,8 +56,9 @@ use cascade::Cascade;
 use chains::{Candidates, hull_of};
 use geometry_core::{Boundary, Exact, Hull2, HullError, Kernel2, Observer, Point2, Points, Silent};
 pub use parallel::{PARALLEL_DEPARTURES, convex_hull_parallel, fast_2d_parallel};
+use polygon::Polygon;
 use region::Kept;
-use throw_away::{Left, throw_away};
+use throw_away::{Left, Passes, throw_away};
 
 /// Where this file departs from the papers, and from the rule that an algorithm compares no coordinates.
 pub const DEPARTURES: &[&str] = &[
@@ -96,7 +97,7 @@ pub fn fast_2d<K: Kernel2, O: Observer>(
     observer: &mut O,
 ) -> Result<Hull2, HullError> {
     let mut kept = Kept::default();
-    let candidates = candidates(points.as_slice(), &mut kept, observer, in_order);
+    let candidates = candidates::<InOrder, O>(points.as_slice(), &mut kept, observer);
     Ok(hull_of(candidates, boundary, kernel, observer))
 }
 
@@ -126,17 +127,20 @@ pub fn fast_2d<K: Kernel2, O: Observer>(
 /// # Ok::<(), HullError>(())
 /// ```
 pub fn convex_hull(points: &[Point2], boundary: Boundary) -> Result<Hull2, HullError> {
-    hull_of_unseen(points, boundary, in_order)
+    hull_of_unseen::<InOrder>(points, boundary)
 }
 
 /// The hull of points of which only those that may be vertices are searched for coordinates that are not finite.
-fn hull_of_unseen(points: &[Point2], boundary: Boundary, sift: Sift) -> Result<Hull2, HullError> {
+fn hull_of_unseen<P: Passes<Silent>>(
+    points: &[Point2],
+    boundary: Boundary,
+) -> Result<Hull2, HullError> {
     if u32::try_from(points.len()).is_err() {
         let count = points.len();
         return Err(HullError::TooManyPoints { count });
     }
     let mut kept = Kept::default();
-    let candidates = candidates(points, &mut kept, &mut Silent, sift);
+    let candidates = candidates::<P, Silent>(points, &mut kept, &mut Silent);
     if Points::new(candidates.points).is_err() {
         // Names the first of all points, at leisure.
         Points::new(points)?;
@@ -144,22 +148,26 @@ fn hull_of_unseen(points: &[Point2], boundary: Boundary, sift: Sift) -> Result<H
     Ok(hull_of(candidates, boundary, &Exact, &mut Silent))
 }
 
-/// A pass over all points.
-type Sift<O = Silent> = fn(&Cascade, &[Point2], &mut Kept, &mut O);
+/// The passes of one thread.
+struct InOrder;
 
-/// The pass of one thread.
-fn in_order<O: Observer>(cascade: &Cascade, points: &[Point2], kept: &mut Kept, observer: &mut O) {
-    cascade.sift(points, 0, kept, observer);
+impl<O: Observer> Passes<O> for InOrder {
+    fn sift(cascade: &Cascade, points: &[Point2], kept: &mut Kept, observer: &mut O) {
+        cascade.sift(points, 0, kept, observer);
+    }
+
+    fn thin(kept: &mut Kept, polygon: &Polygon, observer: &mut O) {
+        kept.thin_reported(polygon, observer);
+    }
 }
 
 /// The points that may be vertices, in `kept` unless they are all.
-fn candidates<'a, O: Observer>(
+fn candidates<'a, P: Passes<O>, O: Observer>(
     points: &'a [Point2],
     kept: &'a mut Kept,
     observer: &mut O,
-    sift: Sift<O>,
 ) -> Candidates<'a> {
-    match throw_away(points, kept, observer, sift) {
+    match throw_away::<P, O>(points, kept, observer) {
         Left::All => Candidates { points, ids: None },
         Left::Kept => Candidates {
             points: kept.points(),

@@ -5,6 +5,7 @@
 pub(super) use crate::blocks::BLOCK;
 use crate::blocks::{filled_up, first_bits};
 use geometry_core::Point2;
+use rayon::prelude::*;
 use smallvec::SmallVec;
 
 /// Up to so many points are kept without allocation.
@@ -88,7 +89,32 @@ impl Kept {
 
     /// Keeps those that are not certain to lie in the region.
     pub(super) fn thin<R: Region>(&mut self, region: &R) {
-        pulp::Arch::new().dispatch(Thin { kept: self, region });
+        let (points, ids) = (&mut self.points[..self.len], &mut self.ids[..self.len]);
+        self.len = pulp::Arch::new().dispatch(Thin {
+            points,
+            ids,
+            region,
+        });
+    }
+
+    /// [`thin`](Self::thin), on all threads of the current Rayon pool, which take `part` points at a time.
+    pub(super) fn thin_in_parts<R: Region + Sync>(&mut self, region: &R, part: usize) {
+        let (points, ids) = (&mut self.points[..self.len], &mut self.ids[..self.len]);
+        let parts = points.par_chunks_mut(part).zip(ids.par_chunks_mut(part));
+        let thinned = |(points, ids)| {
+            pulp::Arch::new().dispatch(Thin {
+                points,
+                ids,
+                region,
+            })
+        };
+        let counts: Vec<usize> = parts.map(thinned).collect();
+        self.len = 0;
+        for (start, count) in (0..).step_by(part).zip(counts) {
+            points.copy_within(start..start + count, self.len);
+            ids.copy_within(start..start + count, self.len);
+            self.len += count;
+        }
     }
 
     /// Adds what another kept.
@@ -171,31 +197,36 @@ impl<R: Region> pulp::NullaryFnOnce for Fill<'_, R> {
 }
 
 struct Thin<'a, R> {
-    kept: &'a mut Kept,
+    points: &'a mut [Point2],
+    ids: &'a mut [u32],
     region: &'a R,
 }
 
 impl<R: Region> pulp::NullaryFnOnce for Thin<'_, R> {
-    type Output = ();
+    /// How many are kept, at the front.
+    type Output = usize;
 
     #[inline(always)]
-    fn call(self) {
-        let Kept { len, points, ids } = self.kept;
-        let (points_kept, ids_kept) = (&mut points[..*len], &mut ids[..*len]);
+    fn call(self) -> usize {
+        let Self {
+            points,
+            ids,
+            region,
+        } = self;
         let mut count = 0;
-        for start in (0..points_kept.len()).step_by(BLOCK) {
-            let len = BLOCK.min(points_kept.len() - start);
-            let block = filled_up(&points_kept[start..start + len]);
-            let mut bits = self.region.not_inside(&block) & first_bits(len);
+        for start in (0..points.len()).step_by(BLOCK) {
+            let len = BLOCK.min(points.len() - start);
+            let block = filled_up(&points[start..start + len]);
+            let mut bits = region.not_inside(&block) & first_bits(len);
             // What is written lies before what is still to be read.
             while bits != 0 {
                 let place = bits.trailing_zeros() as usize;
                 bits &= bits - 1;
-                points_kept[count] = block[place];
-                ids_kept[count] = ids_kept[start + place];
+                points[count] = block[place];
+                ids[count] = ids[start + place];
                 count += 1;
             }
         }
-        *len = count;
+        count
     }
 }

@@ -3,7 +3,7 @@
 use super::ellipse::Ellipse;
 use super::octagon::Octagon;
 use super::polygon::{Corners, Edge, Polygon};
-use super::region::{BLOCK, Region};
+use super::region::{BLOCK, Kept, Region};
 use geometry_core::{Exact, Kernel2, Point2};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -228,5 +228,31 @@ fn magnitudes_out_of_range_make_no_polygon() {
     for bad in [f64::NAN, f64::INFINITY, f64::MAX] {
         let corners = Corners::distinct([[0.0, 0.0], [1.0, 0.0], [bad, 1.0], [0.0, 1.0]]);
         assert!(Polygon::of(&corners).is_none());
+    }
+}
+
+/// Thinned in parts of any length, the same points are left as in one pass.
+#[test]
+fn parts_keep_what_one_pass_keeps() {
+    let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let [outer, inner] = [1.0, 0.5].map(|scale| {
+        let corners = square.map(|corner: Point2| corner.map(|x| scale * x));
+        Polygon::of(&Corners::distinct(corners)).expect("a square")
+    });
+    let mut rng = ChaCha8Rng::seed_from_u64(2026);
+    let points: Vec<Point2> = (0..1_000)
+        .map(|_| [0, 1].map(|_| rng.random_range(-1.5..1.5)))
+        .collect();
+    let kept = |thin: &dyn Fn(&mut Kept)| {
+        let mut kept = Kept::default();
+        kept.fill(&points, 0, &inner);
+        thin(&mut kept);
+        (kept.points().to_vec(), kept.ids().to_vec())
+    };
+    let expected = kept(&|kept| kept.thin(&outer));
+    assert!((100..900).contains(&expected.1.len()));
+    for part in [1, BLOCK, 100, 5_000] {
+        let found = kept(&|kept| kept.thin_in_parts(&outer, part));
+        assert_eq!(found, expected, "{part}");
     }
 }

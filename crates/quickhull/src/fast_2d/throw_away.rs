@@ -19,18 +19,25 @@ pub(super) enum Left {
     Kept,
 }
 
-/// Throws away points that are certainly inside the hull, and puts the others into `kept`, which is empty. `sift` is
-/// the pass over all points.
-pub(super) fn throw_away<O: Observer>(
+/// How passes are made: by one thread, or by several.
+pub(super) trait Passes<O> {
+    /// The pass over all points.
+    fn sift(cascade: &Cascade, points: &[Point2], kept: &mut Kept, observer: &mut O);
+
+    /// A pass over those kept.
+    fn thin(kept: &mut Kept, polygon: &Polygon, observer: &mut O);
+}
+
+/// Throws away points that are certainly inside the hull, and puts the others into `kept`, which is empty.
+pub(super) fn throw_away<P: Passes<O>, O: Observer>(
     points: &[Point2],
     kept: &mut Kept,
     observer: &mut O,
-    sift: impl FnOnce(&Cascade, &[Point2], &mut Kept, &mut O),
 ) -> Left {
     let Some(cascade) = Cascade::of(points) else {
         return Left::All;
     };
-    sift(&cascade, points, kept, observer);
+    P::sift(&cascade, points, kept, observer);
     let (mut before, mut corners) = (points.len(), cascade.corners);
     while pays(before, kept.len(), &corners) {
         corners = corners.refined(&few_enough(kept.points()));
@@ -38,7 +45,7 @@ pub(super) fn throw_away<O: Observer>(
             break;
         };
         before = kept.len();
-        kept.thin_reported(&polygon, observer);
+        P::thin(kept, &polygon, observer);
     }
     Left::Kept
 }
