@@ -167,6 +167,11 @@ inline std::uint64_t status(const std::string& label) {
   return 0;
 }
 
+// A size of resident memory without the pages of files, such as code, that are resident now.
+inline std::int64_t without_files(const std::string& label) {
+  return static_cast<std::int64_t>(status(label)) - static_cast<std::int64_t>(status("RssFile:"));
+}
+
 // The rise of resident memory in the first run of the process.
 class Peak {
 public:
@@ -175,19 +180,20 @@ public:
     std::ofstream reset("/proc/self/clear_refs");
     reset << "5" << std::flush;
     is_open_ = reset.good();
-    before_ = status("VmRSS:");
+    before_ = without_files("VmRSS:");
   }
   void end() {
     if (begun_) return;
     begun_ = true;
-    bytes_ = status("VmHWM:") - before_;
+    bytes_ = static_cast<std::uint64_t>(std::max<std::int64_t>(0, without_files("VmHWM:") - before_));
   }
   bool is_known() const { return begun_ && is_open_; }
   std::uint64_t bytes() const { return bytes_; }
 
 private:
   bool begun_ = false, is_open_ = false;
-  std::uint64_t before_ = 0, bytes_ = 0;
+  std::int64_t before_ = 0;
+  std::uint64_t bytes_ = 0;
 };
 
 inline std::string receipt(const std::string& name, const Engine& engine) {

@@ -78,7 +78,7 @@ class Server:
         before = reset_peak() if self.peak is None else None
         self.results, nanoseconds = sample(self.engines, header["samples"], header["inner"])
         if before is not None:
-            self.peak = status("VmHWM:") - before
+            self.peak = max(0, without_files("VmHWM:") - before)
         return {"nanoseconds": nanoseconds}
 
     def hull(self, number):
@@ -141,13 +141,19 @@ def clock_resolution():
 
 
 def reset_peak():
-    """Sets the peak of resident memory back, and returns what is resident; None where that cannot be done."""
+    """Sets the peak of resident memory back, and returns what is resident, without the pages of files; None where that cannot be
+    done."""
     try:
         with open("/proc/self/clear_refs", "w") as file:
             file.write("5")
-        return status("VmRSS:")
+        return without_files("VmRSS:")
     except OSError:
         return None
+
+
+def without_files(label):
+    """A size of resident memory without the pages of files, such as code, that are resident now."""
+    return status(label) - status("RssFile:")
 
 
 def status(label):

@@ -9,6 +9,7 @@
 //! | [`table`] | times and counts in the layout of a paper |
 //! | [`plot`] | growth and ratios as drawings |
 //! | [`targets`] | do the fast methods take no longer than they are meant to |
+//! | [`threads`] | what does the machine gain by several threads |
 //! | [`published`] | how do times that others print compare with the same programs here |
 //! | [`export`] | the times in formats that other tools read |
 //! | [`band`] | how much does a program differ from itself |
@@ -28,6 +29,7 @@ pub mod published;
 pub mod rank;
 pub mod table;
 pub mod targets;
+pub mod threads;
 
 use crate::output::sheet::duration;
 use crate::records::{Case, Run, Spread};

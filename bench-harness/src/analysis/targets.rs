@@ -1,6 +1,7 @@
 //! Whether the fast methods take no longer than they are meant to: in sorts, in passes over the points, or beside a peer.
 
 use super::compare::Comparison;
+use super::threads::{self, Gain};
 use super::{h_text, ratio_text, text, time_text, typical_time};
 use crate::engine::yardstick::Yardstick;
 use crate::output::page::{Page, Section, json};
@@ -67,6 +68,8 @@ pub struct Row {
 pub struct Targets {
     /// A row a target.
     pub rows: Vec<Row>,
+    /// What the machine gains by several threads.
+    pub gains: Vec<Gain>,
 }
 
 /// Holds `run` against those of `targets` that are about its definitions.
@@ -81,6 +84,7 @@ pub fn targets(run: &Run, targets: &[Target]) -> Targets {
         .filter(|target| known.contains(&target.definition));
     Targets {
         rows: own.map(|target| row(run, target)).collect(),
+        gains: threads::gains(run),
     }
 }
 
@@ -195,14 +199,24 @@ impl Targets {
                 "A sort is `sort_unstable` of as many random doubles, a pass one reading of the points, both in the same \
                  rounds as the hulls; a peer's name as the unit is that peer's time. Times are from points in memory to \
                  the canonical result, every one of it certified. Memory is what a first call adds to the process, without the \
-                 points; less than a megabyte is not told apart from code that is read in."
+                 points and without code; less than a megabyte may be what the system has not yet counted."
                     .to_owned(),
             ],
-            sections: vec![Section {
-                heading: "Targets".to_owned(),
-                sheet: sheet.clone(),
+            sections: [
+                ("Targets", sheet.clone()),
+                (
+                    "What the machine gains by threads",
+                    threads::sheet(&self.gains),
+                ),
+            ]
+            .into_iter()
+            .filter(|(_, sheet)| !sheet.is_empty())
+            .map(|(heading, sheet)| Section {
+                heading: heading.to_owned(),
+                sheet,
                 notes: Vec::new(),
-            }],
+            })
+            .collect(),
             long: sheet,
             value: json(self),
             headline: format!("{met} of {} targets met", self.rows.len()),
@@ -210,7 +224,7 @@ impl Targets {
     }
 }
 
-/// Less than a megabyte is code that is read in, and what the system does not count at once.
+/// Less than a megabyte may be what the system does not count at once.
 fn megabytes(bytes: u64) -> String {
     match bytes {
         ..1_000_000 => "< 1".to_owned(),

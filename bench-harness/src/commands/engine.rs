@@ -23,7 +23,8 @@ Exit codes:
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The method, by its slug (see `hullbench methods`), or a yardstick: sort, pass
+    /// The method, by its slug (see `hullbench methods`), or a yardstick: sort, pass, arithmetic,
+    /// pass-parallel, arithmetic-parallel
     #[arg(value_name = "SLUG", value_hint = ValueHint::Other)]
     slug: String,
 }

@@ -2,6 +2,7 @@
 
 use crate::analysis::cmp::cmp;
 use crate::analysis::targets::{Target, targets};
+use crate::analysis::threads;
 use crate::commands::published::figures;
 use crate::commands::recorded::{latest, load, unknown};
 use crate::commands::targets as known_targets;
@@ -27,7 +28,7 @@ With --papers, the verdicts on the papers and their tables beside ours.
   <!-- report:NAME -->
   <!-- /report:NAME -->
 by the table of the definition NAME: a row a point set and size, a column an engine, time over that of the baseline; the
-table of `hullbench targets` where NAME is targets. Engines named after NAME are the columns.
+tables of `hullbench targets` where NAME is targets or threads. Engines named after NAME are the columns.
 
 Examples:
   hullbench report
@@ -38,8 +39,9 @@ Examples:
 Exit codes:
   0 done   2 usage   3 bad records or marks   4 a file could not be read or written";
 
-/// The name of the marks between which the table of targets stands.
+/// The names of the marks between which the tables of targets stand.
 const TARGETS: &str = "targets";
+const THREADS: &str = "threads";
 
 /// The arguments of `hullbench report`.
 #[derive(clap::Args, Clone, Debug)]
@@ -156,6 +158,9 @@ fn spliced(
         if name == TARGETS {
             let found = targets(run, all);
             return Ok(found.page().long.markdown());
+        }
+        if name == THREADS {
+            return Ok(threads::sheet(&threads::gains(run)).markdown());
         }
         let known = run.definitions();
         if !known.contains(&name) {

@@ -19,7 +19,7 @@ pub fn clock_resolution() -> u64 {
     smallest.map_or(0, |step| step.as_nanos() as u64)
 }
 
-/// How far the resident memory of this process rises, in whole pages.
+/// How far the resident memory of this process rises, in whole pages, without those of files, such as its own code.
 ///
 /// Asks the operating system, so it costs nothing while the clock runs and is the same measure for a program in any
 /// language. Memory that was freed before and is used again does not count as a rise: trust the first call of a
@@ -35,14 +35,19 @@ impl Peak {
         // Sets the peak back to what is resident now.
         fs::write("/proc/self/clear_refs", "5").ok()?;
         Some(Self {
-            before: status("VmRSS:")?,
+            before: without_files("VmRSS:")?,
         })
     }
 
     /// The rise since, in bytes.
     pub fn bytes(&self) -> Option<u64> {
-        Some(status("VmHWM:")?.saturating_sub(self.before))
+        Some(without_files("VmHWM:")?.saturating_sub(self.before))
     }
+}
+
+/// A size of resident memory without the pages of files that are resident now.
+fn without_files(label: &str) -> Option<u64> {
+    Some(status(label)?.saturating_sub(status("RssFile:")?))
 }
 
 /// A size from `/proc/self/status`, in bytes.

@@ -8,11 +8,15 @@ use super::protocol::{Counters, Load, PROTOCOL, Problem, Receipt, Run};
 use super::server::Engine;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 /// The seed of the numbers that are sorted.
 const SEED: u64 = 2026;
+
+/// So many shares a thread, where several work, as one may be held up.
+const SHARES: usize = 4;
 
 /// What a yardstick does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,10 +25,16 @@ pub enum Yardstick {
     Sort,
     /// Reads the n points once, for the least and the greatest value of each coordinate.
     Pass,
+    /// The same on all threads: over the other, what several gain where memory is read.
+    PassParallel,
+    /// Multiplies and adds numbers that never leave the registers, [`TERMS`] times for each point.
+    Arithmetic,
+    /// The same on all threads: over the other, the most that several can gain.
+    ArithmeticParallel,
 }
 
 /// Every yardstick, with what it does in words.
-pub const YARDSTICKS: [(Yardstick, &str, &str); 2] = [
+pub const YARDSTICKS: [(Yardstick, &str, &str); 5] = [
     (
         Yardstick::Sort,
         "sort",
@@ -34,6 +44,21 @@ pub const YARDSTICKS: [(Yardstick, &str, &str); 2] = [
         Yardstick::Pass,
         "pass",
         "a yardstick: reads the points once for their extremes",
+    ),
+    (
+        Yardstick::PassParallel,
+        "pass-parallel",
+        "a yardstick: reads the points once for their extremes, on all threads",
+    ),
+    (
+        Yardstick::Arithmetic,
+        "arithmetic",
+        "a yardstick: 24 multiplications and additions in registers for each point",
+    ),
+    (
+        Yardstick::ArithmeticParallel,
+        "arithmetic-parallel",
+        "a yardstick: 24 multiplications and additions in registers for each point, on all threads",
     ),
 ];
 
@@ -91,18 +116,57 @@ impl Measure {
                 }
                 start.elapsed()
             }
-            Yardstick::Pass => {
-                let start = Instant::now();
-                for points in &self.points {
-                    match self.dimension {
-                        2 => drop(black_box(extremes::<2>(points))),
-                        _ => drop(black_box(extremes::<3>(points))),
-                    }
-                }
-                start.elapsed()
-            }
+            Yardstick::Pass => self.timed(|points| self.read(points)),
+            Yardstick::PassParallel => self.timed(|points| {
+                let count = points.len() / self.dimension;
+                points
+                    .par_chunks(share(count) * self.dimension)
+                    .for_each(|share| self.read(share));
+            }),
+            Yardstick::Arithmetic => self.timed(|points| compute(points.len() / self.dimension)),
+            Yardstick::ArithmeticParallel => self.timed(|points| {
+                let count = points.len() / self.dimension;
+                let starts = (0..count).into_par_iter().step_by(share(count));
+                starts.for_each(|start| compute(share(count).min(count - start)));
+            }),
         }
     }
+
+    /// How long `work` takes on all sets.
+    fn timed(&self, work: impl Fn(&[f64])) -> Duration {
+        let start = Instant::now();
+        for points in &self.points {
+            work(points);
+        }
+        start.elapsed()
+    }
+
+    fn read(&self, points: &[f64]) {
+        match self.dimension {
+            2 => drop(black_box(extremes::<2>(points))),
+            _ => drop(black_box(extremes::<3>(points))),
+        }
+    }
+}
+
+/// The length of a share of `count` points.
+fn share(count: usize) -> usize {
+    count.div_ceil(SHARES * rayon::current_num_threads()).max(1)
+}
+
+/// How many numbers [`Yardstick::Arithmetic`] holds in registers.
+const TERMS: usize = 24;
+
+/// The work of [`Yardstick::Arithmetic`] for `count` points.
+fn compute(count: usize) {
+    let (factor, step) = black_box((0.5, 1.0));
+    let mut terms: [f64; TERMS] = std::array::from_fn(|term| term as f64);
+    for _ in 0..count {
+        for term in &mut terms {
+            *term = *term * factor + step;
+        }
+    }
+    black_box(terms);
 }
 
 /// The least and the greatest value of each coordinate.

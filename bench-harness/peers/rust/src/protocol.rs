@@ -163,7 +163,7 @@ pub fn serve(name: &str, engine: &mut dyn Engine) -> io::Result<()> {
                 let before = if peak.is_none() { reset_peak() } else { None };
                 let samples = run(rest, engine);
                 if let Some(before) = before {
-                    peak = status("VmHWM:").map(|after| after.saturating_sub(before));
+                    peak = without_files("VmHWM:").map(|after| after.saturating_sub(before));
                 }
                 samples.map(|nanoseconds| json!({ "nanoseconds": nanoseconds }))
             }
@@ -308,10 +308,15 @@ fn clock_resolution() -> u64 {
     (0..1000).map(step).min().unwrap_or(0)
 }
 
-/// Sets the peak of resident memory back, and tells what is resident.
+/// Sets the peak of resident memory back, and tells what is resident, without the pages of files.
 fn reset_peak() -> Option<u64> {
     fs::write("/proc/self/clear_refs", "5").ok()?;
-    status("VmRSS:")
+    without_files("VmRSS:")
+}
+
+/// A size of resident memory without the pages of files, such as code, that are resident now.
+fn without_files(label: &str) -> Option<u64> {
+    Some(status(label)?.saturating_sub(status("RssFile:")?))
 }
 
 /// A size from `/proc/self/status`, in bytes.

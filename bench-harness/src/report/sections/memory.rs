@@ -36,7 +36,7 @@ pub(in crate::report) fn section(material: &Material<'_>) -> Option<Section> {
         commands: vec![command(run, "table", &format!("--counter {COUNTER}"))],
         parts: std::iter::once(Part::text(
             "By how much the resident memory of the process rose in its first call, in whole pages: result and work \
-             space, without the points. Memory that the process had freed before and uses again does not show.",
+             space, without the points and without code. Memory that the process had freed before and uses again does not show.",
         ))
         .chain(tables.into_iter().map(Part::Table))
         .collect(),
