@@ -53,19 +53,19 @@ impl Own {
     }
 
     /// Takes samples of the method on the sets loaded; the clock sees all of a call, the check of the points included.
-    fn sample(&self, run: &Run) -> Result<(Vec<u64>, Vec<Answer>), String> {
+    fn sample(&self, run: &Run, meter: Option<Peak>) -> Result<Sampled, String> {
         match (self.method.task, self.batch()?) {
             (Task::PlanarHull(task), Batch::Plane(sets, boundary)) => {
-                sample(run, sets, |set| (task.unseen)(set, *boundary))
+                sample(run, meter, sets, |set| (task.unseen)(set, *boundary))
             }
             (Task::PlanarLayers(task), Batch::Plane(sets, boundary)) => {
-                sample(run, sets, |set| (task.unseen)(set, *boundary))
+                sample(run, meter, sets, |set| (task.unseen)(set, *boundary))
             }
             (Task::Delaunay(task), Batch::Plane(sets, _)) => {
-                sample(run, sets, |set| (task.unseen)(set))
+                sample(run, meter, sets, |set| (task.unseen)(set))
             }
             (Task::SpatialHull(task), Batch::Space(sets)) => {
-                sample(run, sets, |set| (task.unseen)(set))
+                sample(run, meter, sets, |set| (task.unseen)(set))
             }
             _ => Err("no such run".into()),
         }
@@ -126,16 +126,15 @@ impl Engine for Own {
     }
 
     fn run(&mut self, run: &Run) -> Result<Vec<u64>, String> {
-        let (nanoseconds, answers) = if self.peak.is_some() {
-            self.sample(run)?
-        } else {
-            let peak = Peak::begin();
-            let sampled = self.sample(run)?;
-            self.peak = Some(peak.and_then(|peak| peak.bytes()));
-            sampled
+        // Only the first run tells.
+        let meter = match self.peak {
+            None => Peak::begin(),
+            Some(_) => None,
         };
-        self.answers = answers;
-        Ok(nanoseconds)
+        let sampled = self.sample(run, meter)?;
+        self.peak.get_or_insert(sampled.peak);
+        self.answers = sampled.answers;
+        Ok(sampled.nanoseconds)
     }
 
     fn hull(&mut self, set: u32) -> Result<Answer, String> {
@@ -156,13 +155,23 @@ impl Engine for Own {
     }
 }
 
-/// Samples of `call`, and its last result for each set. A call frees the result of the call for the same set in the
-/// pass before; the results of the last pass are freed when the clock stands.
+/// What was sampled.
+struct Sampled {
+    nanoseconds: Vec<u64>,
+    /// The last result of each set.
+    answers: Vec<Answer>,
+    /// The rise of memory, if there was a meter.
+    peak: Option<u64>,
+}
+
+/// Samples of `call`. A call frees the result of the call for the same set in the pass before; the results of the last pass
+/// are freed when the clock stands.
 fn sample<S, T>(
     run: &Run,
+    meter: Option<Peak>,
     sets: &[S],
     call: impl Fn(&S) -> Result<T, HullError>,
-) -> Result<(Vec<u64>, Vec<Answer>), String>
+) -> Result<Sampled, String>
 where
     for<'a> Answer: From<&'a T>,
 {
@@ -178,8 +187,12 @@ where
         }
         nanoseconds.push(start.elapsed().as_nanos() as u64);
     }
-    let answers = last.iter().flatten().map(Answer::from).collect();
-    Ok((nanoseconds, answers))
+    let peak = meter.and_then(|meter| meter.bytes());
+    Ok(Sampled {
+        nanoseconds,
+        answers: last.iter().flatten().map(Answer::from).collect(),
+        peak,
+    })
 }
 
 /// What `call` asks and does, summed over the sets.
