@@ -7,6 +7,8 @@
 //!            .           .
 //!              . lower .
 //! ```
+//!
+//! Three points have a path of their own, as the sort and the branches of the scan take longer than all the rest.
 
 use super::order::Keys;
 use super::region::INLINE;
@@ -26,6 +28,25 @@ impl Candidates<'_> {
     fn id(&self, place: u32) -> u32 {
         self.ids.map_or(place, |ids| ids[place as usize])
     }
+
+    fn ids_of(&self, mut places: Vec<u32>) -> Vec<u32> {
+        if self.ids.is_some() {
+            for id in &mut places {
+                *id = self.id(*id);
+            }
+        }
+        places
+    }
+
+    /// The polygon with corners at these places.
+    fn hull<O: Observer>(&self, places: Vec<u32>, observer: &mut O) -> Hull2 {
+        let ids = self.ids_of(places);
+        let next = ids.iter().cycle().skip(1);
+        for (&from, &to) in ids.iter().zip(next) {
+            observer.step(|| Step::Edge(from, to));
+        }
+        Hull2::Polygon(ids)
+    }
 }
 
 /// The hull of the candidates.
@@ -36,6 +57,14 @@ pub(super) fn hull_of<K: Kernel2, O: Observer>(
     observer: &mut O,
 ) -> Hull2 {
     let points = candidates.points;
+    if let &[a, b, c] = points
+        && let Some(places) = triangle([a, b, c], kernel)
+    {
+        for place in places {
+            observer.step(|| Step::Push(candidates.id(place)));
+        }
+        return candidates.hull(places.to_vec(), observer);
+    }
     let Some((left, right)) = ends(points) else {
         return Hull2::Empty;
     };
@@ -69,6 +98,21 @@ pub(super) fn hull_of<K: Kernel2, O: Observer>(
         chain.places.pop();
     }
     chain.into_hull(flat)
+}
+
+/// The places of the corners of a triangle, anticlockwise from the lexicographically smallest; none if it is flat. All that is a
+/// coin toss moves a number, not a branch.
+fn triangle<K: Kernel2>([a, b, c]: [Point2; 3], kernel: &K) -> Option<[u32; 3]> {
+    let turn = kernel.orient(a, b, c);
+    // A kernel that is not exact may see a turn where points are equal.
+    if turn.is_zero() || a == b || b == c || c == a {
+        return None;
+    }
+    let precedes = |p: Point2, q: Point2| (p[0] < q[0]) | (p[0] == q[0]) & (p[1] < q[1]);
+    let (of_two, least) = if precedes(b, a) { (1, b) } else { (0, a) };
+    let first = if precedes(c, least) { 2 } else { of_two };
+    let next = 1 + u32::from(turn.is_negative());
+    Some([0, next, 2 * next].map(|steps| (first + steps) % 3))
 }
 
 /// The places of the lexicographically smallest and largest points, of copies the first.
@@ -199,25 +243,10 @@ impl<K: Kernel2, O: Observer> Chain<'_, K, O> {
 
     /// The hull, whose vertices are all the points of the chain, or its ends if it is flat.
     fn into_hull(self, flat: bool) -> Hull2 {
-        let Self {
-            candidates,
-            observer,
-            places: mut ids,
-            ..
-        } = self;
-        if candidates.ids.is_some() {
-            for id in &mut ids {
-                *id = candidates.id(*id);
-            }
+        if flat || self.places.len() == 2 {
+            return Hull2::Segment(self.candidates.ids_of(self.places));
         }
-        if flat || ids.len() == 2 {
-            return Hull2::Segment(ids);
-        }
-        let next = ids.iter().cycle().skip(1);
-        for (&from, &to) in ids.iter().zip(next) {
-            observer.step(|| Step::Edge(from, to));
-        }
-        Hull2::Polygon(ids)
+        self.candidates.hull(self.places, self.observer)
     }
 }
 
