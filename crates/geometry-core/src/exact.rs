@@ -21,11 +21,13 @@ mod boxed;
 mod circle;
 mod expansion;
 mod integer;
+mod lattice;
 mod planar;
 pub(crate) mod scaled;
 mod spatial;
 
 pub use boxed::{Boxed, Unit};
+pub use lattice::Unrounded;
 
 use crate::kernel::space::{Axis, Basis, Kernel3};
 use crate::kernel::{InCircle, Kernel2, Stage};

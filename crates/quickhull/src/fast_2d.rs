@@ -54,6 +54,7 @@ mod throw_away;
 
 use cascade::Cascade;
 use chains::{Candidates, hull_of};
+use geometry_core::exact::Unrounded;
 use geometry_core::{Boundary, Exact, Hull2, HullError, Kernel2, Observer, Point2, Points, Silent};
 pub use parallel::{PARALLEL_DEPARTURES, convex_hull_parallel, fast_2d_parallel};
 use polygon::Polygon;
@@ -130,7 +131,8 @@ pub fn convex_hull(points: &[Point2], boundary: Boundary) -> Result<Hull2, HullE
     hull_of_unseen::<InOrder>(points, boundary)
 }
 
-/// The hull of points of which only those that may be vertices are searched for coordinates that are not finite.
+/// The hull of points of which only those that may be vertices are searched for coordinates that are not finite, and for what
+/// lattice they are on: on a coarse one, where a filter fails at every zero, nothing is rounded.
 fn hull_of_unseen<P: Passes<Silent>>(
     points: &[Point2],
     boundary: Boundary,
@@ -145,7 +147,10 @@ fn hull_of_unseen<P: Passes<Silent>>(
         // Names the first of all points, at leisure.
         Points::new(points)?;
     }
-    Ok(hull_of(candidates, boundary, &Exact, &mut Silent))
+    Ok(match Unrounded::among(candidates.points) {
+        Some(kernel) => hull_of(candidates, boundary, &kernel, &mut Silent),
+        None => hull_of(candidates, boundary, &Exact, &mut Silent),
+    })
 }
 
 /// The passes of one thread.

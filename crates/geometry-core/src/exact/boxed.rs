@@ -15,10 +15,12 @@
 //! in-circle is a multiple of a power of the unit. If the permanent is at most 2⁵² units to the fourth, each of these is an
 //! integer of at most 53 bits of its unit, nothing is rounded, and even a zero is certain (`Unit::is_exact`).
 
+use super::lattice::Digits;
 use super::{circle, planar};
 use crate::kernel::{InCircle, Kernel2, Stage};
 use crate::points::Point2;
 use crate::sign::Sign;
+use std::ops::RangeInclusive;
 
 /// A power of two of which all coordinates of a set are multiples; or that none is known that could help.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,8 +33,7 @@ pub struct Unit {
 const USEFUL: i32 = 40;
 
 /// Exponents of units whose fourth power neither overflows nor underflows, with room for 2⁵².
-const LEAST_EXPONENT: i32 = -240;
-const MOST_EXPONENT: i32 = 200;
+const EXPONENTS: RangeInclusive<i32> = -240..=200;
 
 impl Unit {
     /// No unit is known: zeros are settled by the kernel.
@@ -51,25 +52,12 @@ impl Unit {
     /// assert_eq!(Unit::of(&[[0.0, 0.0]]), Unit::UNKNOWN);
     /// ```
     pub fn of(points: &[Point2]) -> Self {
-        let (mut least, mut top) = (i32::MAX, i32::MIN);
-        for block in points.chunks(256) {
-            for &x in block.as_flattened().iter().filter(|&&x| x != 0.0) {
-                let bits = x.to_bits();
-                let exponent = (bits >> 52 & 0x7ff) as i32 - 1023;
-                // The hidden bit stands in for the mantissa of a power of two; of subnormals nothing is said.
-                let zeros = (bits & ((1 << 52) - 1) | 1 << 52).trailing_zeros();
-                least = least.min(exponent - 52 + zeros as i32);
-                top = top.max(exponent);
-            }
-            if least < LEAST_EXPONENT || least.saturating_add(USEFUL) < top {
-                return Self::UNKNOWN;
-            }
+        match Digits::of(points, USEFUL) {
+            Some(Digits { lowest, .. }) if EXPONENTS.contains(&lowest) => Self {
+                most: f64::from_bits(((1023 + 52 + 4 * lowest) as u64) << 52),
+            },
+            _ => Self::UNKNOWN,
         }
-        if least > MOST_EXPONENT {
-            return Self::UNKNOWN;
-        }
-        let most = f64::from_bits(((1023 + 52 + 4 * least) as u64) << 52);
-        Self { most }
     }
 
     /// Whether in-circle of points of a box of this size is computed without rounding.
