@@ -20,6 +20,9 @@
 //!
 //! 1. Below the edge across, nothing changes any more: every edge there is Delaunay in the union.
 //! 2. The circle through the edge across and any point above it that no circle holds is free of points below.
+//! 3. If t makes the triangle, a candidate s on the other end remains one, above the new edge across, from l to t. For where s
+//!    is not to the left of l t, it lies in the triangle, and so in its circle, unless the segments l s and r t cross; but each
+//!    lies in the hull of its own part, and these have no point in common. So it is not looked up and not asked about again.
 
 use super::asking::Asking;
 use super::part::{Across, Corner, Part};
@@ -63,10 +66,17 @@ struct Seam<'a, 'b, K> {
 
 /// An edge upwards from one end of the edge across, and its far end.
 #[derive(Clone, Copy)]
-struct Candidate {
+struct Upward {
     edge: u32,
     vertex: u32,
     at: Point2,
+}
+
+/// An edge that leads above the edge across, and the next one, if there is one before the edges across.
+#[derive(Clone, Copy)]
+struct Candidate {
+    first: Upward,
+    second: Option<Upward>,
 }
 
 /// On which end of the edge across a candidate is.
@@ -130,22 +140,25 @@ impl<K: Kernel2 + InCircle> Seam<'_, '_, K> {
         let mut base = bottom;
         let [mut l, mut r] = [self.rings.origin(base), self.rings.target(base)];
         let [mut p, mut q] = [self.at(l), self.at(r)];
+        let [mut left, mut right] = [None; 2];
         loop {
-            let left = self.candidate(Side::Left, base, p, q);
-            let right = self.candidate(Side::Right, base ^ 1, p, q);
-            base = match (left, right) {
+            left = self.candidate(Side::Left, left, base, p, q);
+            right = self.candidate(Side::Right, right, base ^ 1, p, q);
+            let [s, t] = [left, right].map(|candidate| candidate.map(|found| found.first));
+            // The candidate on the end that stays is kept (invariant 3).
+            base = match (s, t) {
                 (Some(s), t) if t.is_none_or(|t| !self.is_inside(p, q, s.at, t.at)) => {
                     let new = self.rings.allocate();
                     self.rings.put_before(new ^ 1, base ^ 1, r);
                     self.rings.put_after(new, s.edge ^ 1, s.vertex);
-                    (l, p) = (s.vertex, s.at);
+                    (l, p, left) = (s.vertex, s.at, None);
                     new
                 }
                 (_, Some(t)) => {
                     let new = self.rings.allocate();
                     self.rings.put_after(new, base, l);
                     self.rings.put_before(new ^ 1, t.edge ^ 1, t.vertex);
-                    (r, q) = (t.vertex, t.at);
+                    (r, q, right) = (t.vertex, t.at, None);
                     new
                 }
                 _ => return base,
@@ -154,33 +167,53 @@ impl<K: Kernel2 + InCircle> Seam<'_, '_, K> {
     }
 
     /// The next edge upwards at the origin of `base`, after those that are not Delaunay are removed; if there is one that
-    /// leads above the edge across, from p to q.
+    /// leads above the edge across, from p to q. It is looked for from the one that is `known` to.
     #[inline(always)]
-    fn candidate(&mut self, side: Side, base: u32, p: Point2, q: Point2) -> Option<Candidate> {
-        let mut candidate = self.upwards(side, base);
-        if candidate.edge == base || !self.kernel.orient(p, q, candidate.at).is_positive() {
-            return None;
-        }
-        loop {
-            let beyond = self.upwards(side, candidate.edge);
-            if beyond.edge == base || !self.is_inside(p, q, candidate.at, beyond.at) {
-                return Some(candidate);
+    fn candidate(
+        &mut self,
+        side: Side,
+        known: Option<Candidate>,
+        base: u32,
+        p: Point2,
+        q: Point2,
+    ) -> Option<Candidate> {
+        let Candidate {
+            mut first,
+            mut second,
+        } = match known {
+            Some(candidate) => candidate,
+            None => {
+                let first = self.upwards(side, base, base)?;
+                if !self.kernel.orient(p, q, first.at).is_positive() {
+                    return None;
+                }
+                let second = self.upwards(side, first.edge, base);
+                Candidate { first, second }
             }
-            self.rings.remove(candidate.edge);
-            candidate = beyond;
+        };
+        while let Some(beyond) = second
+            && self.is_inside(p, q, first.at, beyond.at)
+        {
+            self.rings.remove(first.edge);
+            first = beyond;
+            second = self.upwards(side, first.edge, base);
         }
+        Some(Candidate { first, second })
     }
 
-    /// The edge that follows `edge` around its origin, going up.
+    /// The edge that follows `edge` around its origin, going up; none if it is the edge across.
     #[inline(always)]
-    fn upwards(&self, side: Side, edge: u32) -> Candidate {
+    fn upwards(&self, side: Side, edge: u32, base: u32) -> Option<Upward> {
         let edge = match side {
             Side::Left => self.rings.next(edge),
             Side::Right => self.rings.prev(edge),
         };
+        if edge == base {
+            return None;
+        }
         let vertex = self.rings.target(edge);
         let at = self.at(vertex);
-        Candidate { edge, vertex, at }
+        Some(Upward { edge, vertex, at })
     }
 
     /// Whether d lies inside the circle through a, b, c, which are anticlockwise. A tie goes by the rule.

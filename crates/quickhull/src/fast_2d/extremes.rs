@@ -13,7 +13,7 @@ pub(super) const AT_A_TIME: usize = 4;
 const COMPASS: usize = 8;
 
 /// The most points that indices of 16 bits tell apart.
-pub(super) const MOST_POINTS: usize = 1 << 16;
+const MOST_POINTS: usize = 1 << 16;
 
 const INDEX: u64 = MOST_POINTS as u64 - 1;
 const LANES: usize = 4;

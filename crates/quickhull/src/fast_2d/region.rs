@@ -90,25 +90,15 @@ impl Kept {
     /// Keeps those that are not certain to lie in the region.
     pub(super) fn thin<R: Region>(&mut self, region: &R) {
         let (points, ids) = (&mut self.points[..self.len], &mut self.ids[..self.len]);
-        self.len = pulp::Arch::new().dispatch(Thin {
-            points,
-            ids,
-            region,
-        });
+        self.len = thinned(points, ids, region);
     }
 
     /// [`thin`](Self::thin), on all threads of the current Rayon pool, which take `part` points at a time.
     pub(super) fn thin_in_parts<R: Region + Sync>(&mut self, region: &R, part: usize) {
         let (points, ids) = (&mut self.points[..self.len], &mut self.ids[..self.len]);
         let parts = points.par_chunks_mut(part).zip(ids.par_chunks_mut(part));
-        let thinned = |(points, ids)| {
-            pulp::Arch::new().dispatch(Thin {
-                points,
-                ids,
-                region,
-            })
-        };
-        let counts: Vec<usize> = parts.map(thinned).collect();
+        let counts = parts.map(|(points, ids)| thinned(points, ids, region));
+        let counts: Vec<usize> = counts.collect();
         self.len = 0;
         for (start, count) in (0..).step_by(part).zip(counts) {
             points.copy_within(start..start + count, self.len);
@@ -196,6 +186,15 @@ impl<R: Region> pulp::NullaryFnOnce for Fill<'_, R> {
     }
 }
 
+/// Moves those that are not certain to lie in the region to the front, with their indices, and returns how many they are.
+fn thinned<R: Region>(points: &mut [Point2], ids: &mut [u32], region: &R) -> usize {
+    pulp::Arch::new().dispatch(Thin {
+        points,
+        ids,
+        region,
+    })
+}
+
 struct Thin<'a, R> {
     points: &'a mut [Point2],
     ids: &'a mut [u32],
@@ -203,7 +202,6 @@ struct Thin<'a, R> {
 }
 
 impl<R: Region> pulp::NullaryFnOnce for Thin<'_, R> {
-    /// How many are kept, at the front.
     type Output = usize;
 
     #[inline(always)]
