@@ -15,10 +15,9 @@ const MOST_SAMPLED: usize = 1 << 14;
 /// With fewer points, all are looked at.
 const SAMPLED_FROM: usize = 1 << 12;
 
-/// Fewer corners than this are refined at once, as those of a long and slanted set may be few and close together, unless
-/// there are so few points that it does not matter.
-const ENOUGH: usize = 7;
-const MANY: usize = 512;
+/// Fewer corners than this may be close together, as those of a long and slanted set. So they are refined on a sample at once, and
+/// if all points are looked at, after a pass, even if it threw away little.
+pub(super) const ENOUGH: usize = 7;
 
 /// With fewer points, a pass takes longer than sorting those that it throws away.
 const FEW: usize = 24;
@@ -55,7 +54,8 @@ impl Cascade {
         }
         let sample = sampled(points);
         let mut corners = Corners::of(&sample)?;
-        if corners.len() < ENOUGH && points.len() >= MANY {
+        let all_are_sampled = sample.len() == points.len();
+        if corners.len() < 3 || corners.len() < ENOUGH && !all_are_sampled {
             corners = corners.refined(&sample);
         }
         let polygon = Polygon::of(&corners)?;
@@ -64,7 +64,7 @@ impl Cascade {
             polygons: SmallVec::from_buf([polygon]),
             corners,
         };
-        let worthwhile = sample.len() == points.len() || cascade.extend(&sample);
+        let worthwhile = all_are_sampled || cascade.extend(&sample);
         worthwhile.then_some(cascade)
     }
 

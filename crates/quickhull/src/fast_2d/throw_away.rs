@@ -4,7 +4,7 @@
 //! 2. Pass over all points and keep, side by side in memory, those not certain to lie in a region.
 //! 3. Refine the corners by the points kept, and pass over these again, while that pays.
 
-use super::cascade::{Cascade, pays};
+use super::cascade::{self, Cascade, pays};
 use super::polygon::Polygon;
 use super::region::Kept;
 use geometry_core::{Observer, Point2};
@@ -39,7 +39,9 @@ pub(super) fn throw_away<P: Passes<O>, O: Observer>(
     };
     P::sift(&cascade, points, kept, observer);
     let (mut before, mut corners) = (points.len(), cascade.corners);
-    while pays(before, kept.len(), &corners) {
+    let mut may_be_too_few = corners.len() < cascade::ENOUGH && points.len() >= MANY;
+    while pays(before, kept.len(), &corners) || may_be_too_few {
+        may_be_too_few = false;
         corners = corners.refined(&few_enough(kept.points()));
         let Some(polygon) = Polygon::of(&corners) else {
             break;
@@ -49,6 +51,9 @@ pub(super) fn throw_away<P: Passes<O>, O: Observer>(
     }
     Left::Kept
 }
+
+/// With fewer points, it does not matter.
+const MANY: usize = 512;
 
 /// So many points decide about corners: with more of them the polygon hardly grows.
 const ENOUGH: usize = 1 << 13;
