@@ -43,6 +43,7 @@ mod cascade;
 mod chains;
 mod ellipse;
 mod extremes;
+mod few;
 mod octagon;
 mod order;
 mod parallel;

@@ -8,8 +8,9 @@
 //!              . lower .
 //! ```
 //!
-//! Three points have a path of their own, as the sort and the branches of the scan take longer than all the rest.
+//! Three or four points need neither sort nor scan ([`few`]).
 
+use super::few;
 use super::order::Keys;
 use super::region::INLINE;
 use geometry_core::kernel::lexicographic;
@@ -57,13 +58,14 @@ pub(super) fn hull_of<K: Kernel2, O: Observer>(
     observer: &mut O,
 ) -> Hull2 {
     let points = candidates.points;
-    if let &[a, b, c] = points
-        && let Some(places) = triangle([a, b, c], kernel)
-    {
-        for place in places {
+    if let Some(places) = few::corners(points, kernel) {
+        for place in 0..points.len() as u32 {
             observer.step(|| Step::Push(candidates.id(place)));
+            if O::ACTIVE && !places.contains(&place) {
+                observer.step(|| Step::Pop(candidates.id(place)));
+            }
         }
-        return candidates.hull(places.to_vec(), observer);
+        return candidates.hull(places, observer);
     }
     let Some((left, right)) = ends(points) else {
         return Hull2::Empty;
@@ -98,21 +100,6 @@ pub(super) fn hull_of<K: Kernel2, O: Observer>(
         chain.places.pop();
     }
     chain.into_hull(flat)
-}
-
-/// The places of the corners of a triangle, anticlockwise from the lexicographically smallest; none if it is flat. All that is a
-/// coin toss moves a number, not a branch.
-fn triangle<K: Kernel2>([a, b, c]: [Point2; 3], kernel: &K) -> Option<[u32; 3]> {
-    let turn = kernel.orient(a, b, c);
-    // A kernel that is not exact may see a turn where points are equal.
-    if turn.is_zero() || a == b || b == c || c == a {
-        return None;
-    }
-    let precedes = |p: Point2, q: Point2| (p[0] < q[0]) | (p[0] == q[0]) & (p[1] < q[1]);
-    let (of_two, least) = if precedes(b, a) { (1, b) } else { (0, a) };
-    let first = if precedes(c, least) { 2 } else { of_two };
-    let next = 1 + u32::from(turn.is_negative());
-    Some([0, next, 2 * next].map(|steps| (first + steps) % 3))
 }
 
 /// The places of the lexicographically smallest and largest points, of copies the first.
