@@ -36,8 +36,8 @@
 //! **Departures.** See [`DEPARTURES`].
 //!
 //! **When not to use it.** To study the cost of a method in questions asked: here most points meet no kernel.
-//! When most points are extreme it is a sort and a scan; when they lie on a line but for rounding, a scan that asks
-//! for exact arithmetic at every point.
+//! When most points are extreme it is a sort and a scan; when they lie on a line but for rounding, or products of their
+//! coordinates leave the range of numbers (`hullbench points killer`), a scan that asks for exact arithmetic at every point.
 
 mod cascade;
 mod chains;
