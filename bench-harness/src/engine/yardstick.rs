@@ -27,7 +27,7 @@ pub enum Yardstick {
     Pass,
     /// The same on all threads: over the other, what several gain where memory is read.
     PassParallel,
-    /// Multiplies and adds numbers that never leave the registers, [`TERMS`] times for each point.
+    /// Multiplies and adds numbers that never leave the registers, 24 times for each point.
     Arithmetic,
     /// The same on all threads: over the other, the most that several can gain.
     ArithmeticParallel,
