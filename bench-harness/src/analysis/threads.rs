@@ -1,6 +1,6 @@
 //! What the machine gains by several threads, by yardsticks that are measured on one and on all of them.
 //!
-//! A method on several threads can gain no more than arithmetic in registers does, and where it reads memory hardly more than a
+//! A method on several threads will hardly gain more than arithmetic in registers does, nor, where it reads memory, more than a
 //! pass over the points.
 
 use super::compare::Comparison;
@@ -44,7 +44,7 @@ fn gain(run: &Run, case: &Case, work: &'static str) -> Option<Gain> {
     let compared = Comparison::of(run, case, &on_all, work)?;
     let (low, high) = compared.log.interval(0.95);
     Some(Gain {
-        case: format!("{} {}", case.set, case.n),
+        case: case.to_string(),
         work,
         one: typical_time(run, case, work)?,
         all: typical_time(run, case, &on_all)?,

@@ -29,7 +29,7 @@ pub enum Yardstick {
     PassParallel,
     /// Multiplies and adds numbers that never leave the registers, 24 times for each point.
     Arithmetic,
-    /// The same on all threads: over the other, the most that several can gain.
+    /// The same on all threads: over the other, about the most that several can gain.
     ArithmeticParallel,
 }
 
