@@ -49,6 +49,7 @@ mod order;
 mod parallel;
 mod polygon;
 mod region;
+mod sample;
 #[cfg(test)]
 mod tests;
 mod throw_away;
@@ -158,8 +159,8 @@ fn hull_of_unseen<P: Passes<Silent>>(
 struct InOrder;
 
 impl<O: Observer> Passes<O> for InOrder {
-    fn sift(cascade: &Cascade, points: &[Point2], kept: &mut Kept, observer: &mut O) {
-        cascade.sift(points, 0, kept, observer);
+    fn sift(cascade: &Cascade, points: &[Point2], first: u32, kept: &mut Kept, observer: &mut O) {
+        cascade.sift(points, first, kept, observer);
     }
 
     fn thin(kept: &mut Kept, polygon: &Polygon, observer: &mut O) {

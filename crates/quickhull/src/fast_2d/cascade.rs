@@ -4,11 +4,11 @@ use super::ellipse::Ellipse;
 use super::octagon::Octagon;
 use super::polygon::{Corners, Polygon};
 use super::region::Kept;
+use super::sample::Sample;
 use geometry_core::{Observer, Point2, Step};
 use smallvec::SmallVec;
-use std::borrow::Cow;
 
-/// A sixteenth of the points, but not more than so many, are looked at for corners: enough that a better polygon
+/// A sixteenth of the points, but about so many at most, are looked at for corners: enough that a better polygon
 /// would save less time than finding it takes.
 const MOST_SAMPLED: usize = 1 << 14;
 
@@ -53,10 +53,10 @@ impl Cascade {
             return None;
         }
         let sample = sampled(points);
-        let mut corners = Corners::of(&sample)?;
-        let all_are_sampled = sample.len() == points.len();
+        let all_are_sampled = sample.is_all();
+        let mut corners = Corners::of(sample)?;
         if corners.len() < 3 || corners.len() < ENOUGH && !all_are_sampled {
-            corners = corners.refined(&sample);
+            corners = corners.refined(sample);
         }
         let polygon = Polygon::of(&corners)?;
         let mut cascade = Self {
@@ -64,39 +64,54 @@ impl Cascade {
             polygons: SmallVec::from_buf([polygon]),
             corners,
         };
-        let worthwhile = all_are_sampled || cascade.extend(&sample);
-        worthwhile.then_some(cascade)
+        if all_are_sampled {
+            return Some(cascade);
+        }
+        if !cascade.extend(sample) {
+            return None;
+        }
+        cascade.add_core(sample);
+        Some(cascade)
     }
 
-    /// Adds the regions that pay on the sample. Returns whether any does.
-    fn extend(&mut self, sample: &[Point2]) -> bool {
+    /// Puts a polygon in place of the last, which is about a part of it.
+    pub(super) fn improve(&mut self, polygon: Polygon, corners: Corners) {
+        self.polygons.pop();
+        self.push(polygon, corners);
+    }
+
+    fn push(&mut self, polygon: Polygon, corners: Corners) {
+        self.polygons.push(polygon);
+        self.corners = corners;
+    }
+
+    /// Adds the polygons that pay on the sample. Returns whether any does.
+    fn extend(&mut self, sample: Sample<'_>) -> bool {
         let mut kept = Kept::default();
-        kept.fill(sample, 0, &self.polygons[0]);
+        sample.in_parts(|points| kept.fill(points, 0, &self.polygons[0]));
         let mut before = sample.len();
         if kept.len() > before / 2 {
             return false;
         }
         while pays(before, kept.len(), &self.corners) {
-            let corners = self.corners.refined(kept.points());
+            let corners = self.corners.refined(Sample::all(kept.points()));
             let Some(polygon) = Polygon::of(&corners) else {
                 break;
             };
             before = kept.len();
             kept.thin(&polygon);
-            self.polygons.push(polygon);
-            self.corners = corners;
+            self.push(polygon, corners);
         }
-        self.add_core(sample);
         true
     }
 
     /// Adds the core, if a quarter of the sample lies in it. If more than half does, the first polygon has little left
     /// to do.
-    fn add_core(&mut self, sample: &[Point2]) {
+    fn add_core(&mut self, sample: Sample<'_>) {
         let Some(polygon) = self.polygons.last() else {
             return;
         };
-        let few = &sample[..sample.len().min(1024)];
+        let few = sample.fewer(1024);
         let centres = [mean(self.corners.as_slice()), median(sample)];
         let cores = centres.into_iter().flat_map(|centre| {
             let ellipse = Ellipse::inside(polygon, &self.corners, centre).map(Core::Ellipse);
@@ -104,9 +119,13 @@ impl Cascade {
             ellipse.into_iter().chain(octagon)
         });
         let tried = cores.map(|core| {
-            let mut kept = Kept::default();
-            core.sift(few, 0, &mut kept);
-            (kept.len(), core)
+            let (mut kept, mut left) = (Kept::default(), 0);
+            few.in_parts(|points| {
+                core.sift(points, 0, &mut kept);
+                left += kept.len();
+                kept.clear();
+            });
+            (left, core)
         });
         let best = tried.min_by_key(|(left, _)| *left);
         let Some((left, core)) = best else {
@@ -186,13 +205,13 @@ pub(super) fn pays(before: usize, after: usize, corners: &Corners) -> bool {
     after > 6 * corners.len() && after < before - before / 4
 }
 
-/// A sixteenth of the points from all over the slice, at most [`MOST_SAMPLED`]; all if they are few.
-fn sampled(points: &[Point2]) -> Cow<'_, [Point2]> {
+/// A sixteenth of the points, at most [`MOST_SAMPLED`]; all if they are few.
+fn sampled(points: &[Point2]) -> Sample<'_> {
     if points.len() < SAMPLED_FROM {
-        return points.into();
+        Sample::all(points)
+    } else {
+        Sample::some(points, MOST_SAMPLED.min(points.len() / 16))
     }
-    let step = points.len().div_ceil(MOST_SAMPLED).max(16);
-    points.iter().copied().step_by(step).collect()
 }
 
 fn mean(points: &[Point2]) -> Point2 {
@@ -203,14 +222,14 @@ fn mean(points: &[Point2]) -> Point2 {
 }
 
 /// The median of each coordinate, of a few of the points.
-fn median(points: &[Point2]) -> Point2 {
-    const FEW: usize = 63;
-    let step = points.len().div_ceil(FEW).max(1);
+fn median(sample: Sample<'_>) -> Point2 {
+    let mut few = SmallVec::<[Point2; 64]>::new();
+    sample
+        .fewer(60)
+        .in_parts(|points| few.extend_from_slice(points));
     [0, 1].map(|axis| {
-        let few = points.iter().step_by(step).map(|point| point[axis]);
-        let mut few: SmallVec<[f64; FEW]> = few.collect();
-        few.sort_unstable_by(f64::total_cmp);
-        few.get(few.len() / 2).copied().unwrap_or(0.0)
+        few.sort_unstable_by(|p, q| p[axis].total_cmp(&q[axis]));
+        few.get(few.len() / 2).map_or(0.0, |point| point[axis])
     })
 }
 

@@ -4,6 +4,7 @@
 //! the last 16 bits of its value: the order of values that agree to 2⁻³⁶ may change, which a corner of a polygon
 //! can bear, and the index comes with the maximum.
 
+use super::sample::{LONGEST_PART, Sample};
 use geometry_core::Point2;
 
 /// How many directions are looked in at a time: few enough that the maxima stay in registers.
@@ -12,46 +13,51 @@ pub(super) const AT_A_TIME: usize = 4;
 /// The directions of the axes and the diagonals, anticlockwise from that of x.
 const COMPASS: usize = 8;
 
-/// The most points that indices of 16 bits tell apart.
-const MOST_POINTS: usize = 1 << 16;
-
-const INDEX: u64 = MOST_POINTS as u64 - 1;
+const INDEX: u64 = LONGEST_PART as u64 - 1;
 const LANES: usize = 4;
 
-/// The point furthest in each direction among the first [`MOST_POINTS`], to within a few units of the 36th bit; none if
-/// there are no points. A point whose value is not finite is passed over while there are others.
+/// The point furthest in each direction, to within a few units of the 36th bit; none if there are no points. A point whose
+/// value is not finite is passed over while there are others.
 pub(super) fn furthest(
-    points: &[Point2],
+    sample: Sample<'_>,
     directions: &[Point2; AT_A_TIME],
 ) -> Option<[Point2; AT_A_TIME]> {
     let values = |[x, y]: Point2| directions.map(|[dx, dy]| dx * x + dy * y);
-    extremes(points, values)
+    extremes(sample, values)
 }
 
 /// The same for the eight directions of the axes and the diagonals.
-pub(super) fn furthest_by_compass(points: &[Point2]) -> Option<[Point2; COMPASS]> {
-    extremes(points, |[x, y]: Point2| {
+pub(super) fn furthest_by_compass(sample: Sample<'_>) -> Option<[Point2; COMPASS]> {
+    extremes(sample, |[x, y]: Point2| {
         let (sum, difference) = (x + y, x - y);
         [x, sum, y, -difference, -x, -sum, -y, difference]
     })
 }
 
 fn extremes<const N: usize, V: Fn(Point2) -> [f64; N]>(
-    points: &[Point2],
+    sample: Sample<'_>,
     values: V,
 ) -> Option<[Point2; N]> {
-    let points = &points[..points.len().min(MOST_POINTS)];
-    let last = points.len().checked_sub(1)?;
-    let most = pulp::Arch::new().dispatch(Pass { points, values });
-    Some(most.map(|lanes| {
-        let most = lanes.into_iter().fold(f64::NEG_INFINITY, greater);
-        points[((most.to_bits() & INDEX) as usize).min(last)]
-    }))
+    let mut furthest = [sample.first()?; N];
+    let mut most = [f64::NEG_INFINITY; N];
+    sample.in_parts(|points| {
+        let values = &values;
+        let most_of_part = pulp::Arch::new().dispatch(Pass { points, values });
+        for (direction, lanes) in most_of_part.into_iter().enumerate() {
+            let value = lanes.into_iter().fold(f64::NEG_INFINITY, greater);
+            if value > most[direction] {
+                most[direction] = value;
+                let index = (value.to_bits() & INDEX) as usize;
+                furthest[direction] = points[index.min(points.len() - 1)];
+            }
+        }
+    });
+    Some(furthest)
 }
 
 struct Pass<'a, V: Fn(Point2) -> [f64; N], const N: usize> {
     points: &'a [Point2],
-    values: V,
+    values: &'a V,
 }
 
 impl<const N: usize, V: Fn(Point2) -> [f64; N]> pulp::NullaryFnOnce for Pass<'_, V, N> {
@@ -63,14 +69,14 @@ impl<const N: usize, V: Fn(Point2) -> [f64; N]> pulp::NullaryFnOnce for Pass<'_,
         let mut index: [u64; LANES] = std::array::from_fn(|lane| lane as u64);
         let (fours, rest) = self.points.as_chunks::<LANES>();
         for four in fours {
-            take(four, &index, &self.values, &mut most);
+            take(four, &index, self.values, &mut most);
             index = index.map(|index| index + LANES as u64);
         }
         if let Some(&last) = rest.last() {
             // Copies of the last point fill up; indices beyond its own are brought back to it.
             let mut four = [last; LANES];
             four[..rest.len()].copy_from_slice(rest);
-            take(&four, &index, &self.values, &mut most);
+            take(&four, &index, self.values, &mut most);
         }
         most
     }

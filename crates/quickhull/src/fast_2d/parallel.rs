@@ -86,14 +86,14 @@ pub fn convex_hull_parallel(points: &[Point2], boundary: Boundary) -> Result<Hul
 struct InParts;
 
 impl Passes<Silent> for InParts {
-    fn sift(cascade: &Cascade, points: &[Point2], kept: &mut Kept, _: &mut Silent) {
+    fn sift(cascade: &Cascade, points: &[Point2], first: u32, kept: &mut Kept, _: &mut Silent) {
         let len = part(points.len(), LEAST);
         if points.len() <= len {
-            return cascade.sift(points, 0, kept, &mut Silent);
+            return cascade.sift(points, first, kept, &mut Silent);
         }
         let sifted = |(number, part): (usize, &[Point2])| {
             let mut kept = Kept::default();
-            cascade.sift(part, (number * len) as u32, &mut kept, &mut Silent);
+            cascade.sift(part, first + (number * len) as u32, &mut kept, &mut Silent);
             kept
         };
         let parts: Vec<Kept> = points.par_chunks(len).enumerate().map(sifted).collect();

@@ -45,6 +45,7 @@
 
 use super::extremes::{AT_A_TIME, furthest, furthest_by_compass};
 use super::region::{BLOCK, Block, Region, lesser};
+use super::sample::Sample;
 use geometry_core::Point2;
 use smallvec::SmallVec;
 
@@ -88,12 +89,12 @@ pub(super) struct Corners(SmallVec<[Point2; 8]>);
 
 impl Corners {
     /// The points furthest along the axes and the diagonals; none if there are no points.
-    pub(super) fn of(points: &[Point2]) -> Option<Self> {
-        furthest_by_compass(points).map(Self::distinct)
+    pub(super) fn of(sample: Sample<'_>) -> Option<Self> {
+        furthest_by_compass(sample).map(Self::distinct)
     }
 
     /// These corners and, between each two, the point furthest outside their edge.
-    pub(super) fn refined(&self, points: &[Point2]) -> Self {
+    pub(super) fn refined(&self, sample: Sample<'_>) -> Self {
         let edges: SmallVec<[Edge; 8]> = self.edges().collect();
         let mut corners = SmallVec::<[Point2; 8]>::new();
         for (corners_of_group, group) in self.0.chunks(AT_A_TIME).zip(edges.chunks(AT_A_TIME)) {
@@ -101,7 +102,7 @@ impl Corners {
             for (outward, edge) in outward.iter_mut().zip(group) {
                 *outward = [-edge.a, -edge.b];
             }
-            let apexes = furthest(points, &outward).unwrap_or_default();
+            let apexes = furthest(sample, &outward).unwrap_or_default();
             for ((&corner, edge), apex) in corners_of_group.iter().zip(group).zip(apexes) {
                 corners.push(corner);
                 if edge.at(apex) < 0.0 {

@@ -4,6 +4,7 @@ use super::ellipse::Ellipse;
 use super::octagon::Octagon;
 use super::polygon::{Corners, Edge, Polygon};
 use super::region::{BLOCK, Kept, Region};
+use super::sample::Sample;
 use geometry_core::{Exact, Kernel2, Point2};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -146,9 +147,9 @@ fn the_core_certifies_inner_points_only() {
             [width * x, height * y]
         };
         let cloud: Vec<Point2> = (0..40).map(|_| place()).collect();
-        let corners = Corners::of(&cloud)
+        let corners = Corners::of(Sample::all(&cloud))
             .expect("there are points")
-            .refined(&cloud);
+            .refined(Sample::all(&cloud));
         let centre = [width * offset, height * offset];
         let Some(core) =
             Polygon::of(&corners).and_then(|polygon| Octagon::inside(&polygon, &corners, centre))

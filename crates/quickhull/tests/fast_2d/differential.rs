@@ -15,30 +15,44 @@ fn random_sets_have_the_hull_of_a_monotone_chain() {
     let sets = std::env::var("FAST_2D_SETS").map_or(SETS, |text| {
         text.parse().expect("FAST_2D_SETS is a number of sets")
     });
+    // Up to some 200 points; one set in thousand has some thousands, as only then a sample is taken.
     for seed in 0..sets {
-        let mut points = set(seed);
-        for _ in 0..2 {
-            for boundary in [Boundary::Extreme, Boundary::All] {
-                let hull = quickhull::convex_hull(&points, boundary).expect("finite points");
-                let expected = monotone_chain(&points, boundary);
-                assert_eq!(hull, expected, "seed {seed}, {boundary:?}: {points:?}");
-            }
-            // Again in another order.
-            points.reverse();
-            let turn = seed as usize % points.len().max(1);
-            points.rotate_left(turn);
-        }
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let n = match rng.random_range(0..1000) {
+            0 => rng.random_range(4_000..9_000),
+            1..500 => rng.random_range(0..40),
+            _ => rng.random_range(0..200),
+        };
+        check(seed, set(n, &mut rng));
     }
 }
 
-/// A set of up to some 200 points; one in thousand has some thousands, as only then a sample is taken.
-fn set(seed: u64) -> Vec<Point2> {
-    let mut rng = ChaCha8Rng::seed_from_u64(seed);
-    let n = match rng.random_range(0..1000) {
-        0 => rng.random_range(4_000..9_000),
-        1..500 => rng.random_range(0..40),
-        _ => rng.random_range(0..200),
-    };
+/// Of so many points, the first may improve the polygon for the others.
+#[test]
+fn sets_of_many_points_have_it() {
+    for seed in 0..20 {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let n = rng.random_range(66_000..80_000);
+        check(seed, set(n, &mut rng));
+    }
+}
+
+/// As they are, and in another order.
+fn check(seed: u64, mut points: Vec<Point2>) {
+    for _ in 0..2 {
+        for boundary in [Boundary::Extreme, Boundary::All] {
+            let hull = quickhull::convex_hull(&points, boundary).expect("finite points");
+            let expected = monotone_chain(&points, boundary);
+            assert_eq!(hull, expected, "seed {seed}, {boundary:?}");
+        }
+        points.reverse();
+        let turn = seed as usize % points.len().max(1);
+        points.rotate_left(turn);
+    }
+}
+
+/// Points of a kind that the generator picks.
+fn set(n: usize, rng: &mut ChaCha8Rng) -> Vec<Point2> {
     let kind = rng.random_range(0..10_u32);
     let side = rng.random_range(1..30_i32);
     let scale = 2.0_f64.powi(rng.random_range(-1060..1015));
@@ -60,12 +74,12 @@ fn set(seed: u64) -> Vec<Point2> {
             ]
         }
         // A disc, and one far from the origin.
-        4 => in_disc(&mut rng),
-        5 => in_disc(&mut rng).map(|x| 1e6 + x),
+        4 => in_disc(rng),
+        5 => in_disc(rng).map(|x| 1e6 + x),
         // A circle of integers: collinear and cocircular points.
-        6 => circle_of_integers(&mut rng),
+        6 => circle_of_integers(rng),
         // Any bits that make a finite number.
-        7 => [0, 1].map(|_| any_finite(&mut rng)),
+        7 => [0, 1].map(|_| any_finite(rng)),
         // Magnitudes of every size beside each other, with few digits.
         8 => [0, 1].map(|_| {
             let exponent = rng.random_range(-40..40);
