@@ -3,8 +3,8 @@
 //! **Source.** L. Guibas and J. Stolfi, "Primitives for the manipulation of general subdivisions and the computation of
 //! Voronoi diagrams", *ACM Transactions on Graphics* 4(2), 74–123, 1985. R. A. Dwyer, "A faster divide-and-conquer
 //! algorithm for constructing Delaunay triangulations", *Algorithmica* 2, 137–151, 1987, divides across both axes, so that
-//! parts are compact and few edges of one are undone by its neighbours. J. R. Shewchuk, "Triangle", 1996, shows how far
-//! plain arrays carry it.
+//! parts are compact and few edges of one are undone by its neighbours. J. R. Shewchuk, "Triangle", 1996, keeps triangles and
+//! ghosts instead of edges, and shows how far plain arrays carry it.
 //!
 //! **Essence.**
 //!
@@ -13,22 +13,22 @@
 //! 2. Triangulate two or three points at once (`few`).
 //! 3. Join the triangulations of the two halves of a box along the line between them, from the bottom up (`merge`), and
 //!    so on up to the whole.
-//! 4. Write down the triangles in the memory of the sites, and sort them by counting in that of the edges.
+//! 4. Write down the triangles in the memory of the sites, and sort them by counting in that of the faces.
 //!
 //! **Exactness.** All signs are those of the exact kernel. Questions of a merge are about points of one box, and the smaller the
 //! box the tighter is its filter, computed once ([`Boxed`](geometry_core::exact::Boxed)); on a lattice even zeros
 //! are certain at once. Where four points are on a circle, a rule decides (`tie`).
 //!
 //! **Bound.** O(n log n) time for points that spread over the grid, O(n log² n) at worst; the merges take expected O(n) if
-//! points are uniform. About 7.4 in-circle questions a point and 8.7 orientations, at any n.
+//! points are uniform. About 7.2 in-circle questions a point and 6.8 orientations, at any n.
 //!
 //! **Invariants.**
 //!
 //! 1. The two halves of a set are strictly separated in x or in y, so merges may tilt the line between them as they
 //!    like, and copies of a point stay together until nothing else is left: then the smallest index stands for all.
 //! 2. A part is the Delaunay triangulation of its points, by the rule for ties.
-//! 3. The extremes of a part are known, each with the edge of the hull that leaves it anticlockwise (`part`), so either axis
-//!    can be the next to be merged across.
+//! 3. The extremes of a part are known, each with the ghost of the edge of the hull that leaves it anticlockwise (`part`), so
+//!    either axis can be the next to be merged across.
 //! 4. The depth of the recursion is O(log² n): a box of which one cell holds more than half of the points is divided at
 //!    the median instead.
 //!
@@ -39,32 +39,32 @@
 //! **When not to use it.** When points come one by one, or edges are prescribed.
 
 mod asking;
+mod faces;
 mod few;
 mod grid;
 mod halving;
 mod merge;
 mod parallel;
 mod part;
-mod rings;
 mod site;
 mod tie;
 
 pub use parallel::fast_delaunay_parallel;
 
 use asking::{Asking, Filtered, Tallied};
+use faces::{EDGES_PER_FACE, FACES_PER_VERTEX, Faces, NONE, TRIPLES_PER_VERTEX, Triple};
 use geometry_core::{HullError, Points, QuestionCounts, Triangulation};
 use grid::Grid;
 use halving::Extent;
 use part::{Across, Part};
-use rings::{HALVES_PER_VERTEX, Half, NONE, Rings, Room};
 use site::{Site, Sited, room_for_triangles};
 use std::ops::Range;
 
 /// Where the method departs from Guibas and Stolfi, and from Dwyer, and why.
 pub const DEPARTURES: &[&str] = &[
     "sets are halved across their longer side, where they are large by a grid, instead of into rows of cells",
-    "the extremes of a part are kept with their edges, so that parts join across either axis without a search",
-    "an edge is two halves in one array, without its dual, and edges that were removed are used again",
+    "the extremes of a part are kept with their ghosts, so that parts join across either axis without a search",
+    "triangles and ghosts are kept, not edges and their duals; an edge is removed by flipping it",
     "of points on one circle the lexicographically first is joined to all others",
 ];
 
@@ -88,11 +88,11 @@ const CELL: usize = 8;
 ///
 /// # Errors
 ///
-/// [`HullError::TooManyPoints`] from 715 million points on: edges could not be numbered any more.
+/// [`HullError::TooManyPoints`] from 536 million points on: edges could not be numbered any more.
 ///
 /// # Cost
 ///
-/// O(n log n) time, see [the module](self); about 100 n bytes at its peak, the result included.
+/// O(n log n) time, see [the module](self); about 80 n bytes at its peak, the result included.
 ///
 /// ```
 /// use geometry_core::Points;
@@ -138,37 +138,31 @@ fn triangulate<A: Asking>(
     points: Points<'_, 2>,
     asking: &mut A,
 ) -> Result<Triangulation, HullError> {
-    let mut halves = room_for_edges(points)?;
+    let mut triples = room_for_faces(points)?;
     let mut sites = vec![Site::default(); points.len()];
     let extent = Extent::of(points.as_slice().iter().copied());
     let grid = Grid::sort(named(points), &extent, CELL, &mut sites);
-    let room = Room::all(&halves);
     let mut conquest = Conquest {
         sites: &mut sites,
-        rings: Rings::new(&mut halves, room),
+        faces: Faces::new(&mut triples),
         asking,
     };
-    let whole = conquest.solve_cells(&grid, 0, 0..grid.len(), 0);
-    let Some(out) = whole.map(|part| part.first[0].out).filter(|&e| e != NONE) else {
-        return Ok(Triangulation::default());
-    };
-    conquest.rings.mark_outside(out);
+    conquest.solve_cells(&grid, 0, 0..grid.len(), 0);
     let names: Vec<u32> = conquest.sites.iter().map(Sited::id).collect();
-    let edges = conquest.rings.finished();
-    // Of n sites there are less than 2 n triangles, less one.
+    let faces = conquest.faces;
     let room = room_for_triangles(conquest.sites);
-    let found = edges.triangles(0..edges.len(), &names, room);
+    let found = faces.triangles(0..faces.len(), &names, room);
     let triangles = &mut room_for_triangles(&mut sites)[..found];
-    Ok(Triangulation::in_room(triangles, halves))
+    Ok(Triangulation::in_room(triangles, triples))
 }
 
-/// Unused halves for `points`.
-fn room_for_edges(points: Points<'_, 2>) -> Result<Vec<Half>, HullError> {
+/// Zeros for the faces of `points`.
+fn room_for_faces(points: Points<'_, 2>) -> Result<Vec<Triple>, HullError> {
     let count = points.len();
-    if count >= NONE as usize / HALVES_PER_VERTEX {
+    if count >= (NONE / EDGES_PER_FACE) as usize / FACES_PER_VERTEX {
         return Err(HullError::TooManyPoints { count });
     }
-    Ok(vec![Half::default(); HALVES_PER_VERTEX * count])
+    Ok(vec![Triple::default(); TRIPLES_PER_VERTEX * count])
 }
 
 /// The sites of `points`, in their order.
@@ -177,10 +171,10 @@ fn named(points: Points<'_, 2>) -> impl Iterator<Item = Site> + Clone {
     named.map(|(&at, id)| Site::new(at, id))
 }
 
-/// The sites, partly divided, and the edges so far.
+/// The sites, partly divided, and the faces so far.
 struct Conquest<'a, A> {
     sites: &'a mut [Site],
-    rings: Rings<'a>,
+    faces: Faces<'a>,
     asking: &'a mut A,
 }
 
@@ -202,12 +196,10 @@ impl<A: Asking> Conquest<'_, A> {
         }
         match sites {
             [_, _] => {
-                let ends = [first, first + 1];
-                return Some(few::edge(self.sites, &mut self.rings, ends));
+                return Some(few::edge(self.sites, &mut self.faces, first));
             }
             [a, b, c] if a.at() != b.at() && b.at() != c.at() && c.at() != a.at() => {
-                let corners = [first, first + 1, first + 2];
-                return Some(self.triangle(corners, &extent));
+                return Some(self.triangle(first, &extent));
             }
             _ => {}
         }
@@ -223,7 +215,7 @@ impl<A: Asking> Conquest<'_, A> {
         };
         let left = self.solve(from, from + half);
         let right = self.solve(from + half, to);
-        self.join(left, right, across)
+        self.join(left, right, from + half, across)
     }
 
     /// Triangulates the sites of cells that make up a box, at a level of the grid whose sites begin at `from`.
@@ -241,23 +233,33 @@ impl<A: Asking> Conquest<'_, A> {
         let middle = cells.start + cells.len() / 2;
         let left = self.solve_cells(grid, from, cells.start..middle, level + 1);
         let right = self.solve_cells(grid, from, middle..cells.end, level + 1);
-        self.join(left, right, grid.levels[level])
+        let middle = from + grid.starts[middle] as usize;
+        self.join(left, right, middle, grid.levels[level])
     }
 
-    fn triangle(&mut self, corners: [u32; 3], extent: &Extent) -> Part {
+    fn triangle(&mut self, first: u32, extent: &Extent) -> Part {
         let [width, height] = extent.sides();
         let kernel = self.asking.in_box(width, height);
-        let part = few::triangle(self.sites, &mut self.rings, &kernel, corners);
+        let part = few::triangle(self.sites, &mut self.faces, &kernel, first);
         self.asking.done(kernel);
         part
     }
 
-    fn join(&mut self, left: Option<Part>, right: Option<Part>, across: Across) -> Option<Part> {
+    /// Joins two parts, the sites of the second of which begin at `middle`.
+    fn join(
+        &mut self,
+        left: Option<Part>,
+        right: Option<Part>,
+        middle: usize,
+        across: Across,
+    ) -> Option<Part> {
         let (Some(left), Some(right)) = (left, right) else {
             return left.or(right);
         };
         let halves = [&left, &right];
-        let joined = merge::merge(self.sites, &mut self.rings, self.asking, halves, across);
-        Some(joined)
+        let (faces, asking) = (&mut self.faces, &mut *self.asking);
+        Some(merge::merge(
+            self.sites, faces, asking, halves, middle, across,
+        ))
     }
 }

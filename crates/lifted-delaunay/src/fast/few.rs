@@ -1,54 +1,57 @@
 //! Triangulations of two and of three points.
 
+use super::faces::{FACES_PER_VERTEX, Faces, edge_of};
 use super::part::{Corner, Part};
-use super::rings::Rings;
 use super::site::{Site, Sited};
 use geometry_core::kernel::lexicographic;
 use geometry_core::{Kernel2, Sign};
 
-/// The edge between two distinct points.
+/// The edge between two distinct points, the first two sites from `first` on.
 #[inline(always)]
-pub(super) fn edge(sites: &[Site], rings: &mut Rings<'_>, [a, b]: [u32; 2]) -> Part {
-    let e = rings.allocate();
-    rings.put_alone(e, a);
-    rings.put_alone(e ^ 1, b);
-    let corner = |vertex, out| Corner { vertex, out };
-    Part::of(sites, &[corner(a, e), corner(b, e ^ 1)])
+pub(super) fn edge(sites: &[Site], faces: &mut Faces<'_>, first: u32) -> Part {
+    let hull = [first, first + 1];
+    let ghosts = FACES_PER_VERTEX as u32 * first;
+    faces.surround(ghosts, hull);
+    faces.glue(edge_of(ghosts), edge_of(ghosts + 1));
+    Part::of(sites, &Corner::around(hull, ghosts))
 }
 
-/// The triangle of three distinct points, or two edges if they are collinear.
+/// The triangle of three distinct points, the sites from `first` on, or two edges if they are collinear.
 #[inline(always)]
 pub(super) fn triangle(
     sites: &[Site],
-    rings: &mut Rings<'_>,
+    faces: &mut Faces<'_>,
     kernel: &impl Kernel2,
-    [a, b, c]: [u32; 3],
+    first: u32,
 ) -> Part {
+    let [a, b, c] = [first, first + 1, first + 2];
     let [p, q, r] = [a, b, c].map(|vertex| sites[vertex as usize].at());
-    let [a, b, c] = match kernel.orient(p, q, r) {
+    let hull = match kernel.orient(p, q, r) {
         Sign::Positive => [a, b, c],
         Sign::Negative => [a, c, b],
-        Sign::Zero => return path(sites, rings, [a, b, c]),
+        Sign::Zero => return path(sites, faces, [a, b, c]),
     };
-    let [ab, bc, ca] = [rings.allocate(), rings.allocate(), rings.allocate()];
-    for (out, back, vertex) in [(ab, ca ^ 1, a), (bc, ab ^ 1, b), (ca, bc ^ 1, c)] {
-        rings.put_alone(out, vertex);
-        rings.put_after(back, out, vertex);
+    let face = FACES_PER_VERTEX as u32 * first;
+    let (inside, ghosts) = (edge_of(face), face + 1);
+    faces.set_corners(inside, hull);
+    faces.surround(ghosts, hull);
+    for i in 0..3 {
+        faces.glue(inside + i, edge_of(ghosts + i));
     }
-    let corner = |vertex, out| Corner { vertex, out };
-    Part::of(sites, &[corner(a, ab), corner(b, bc), corner(c, ca)])
+    Part::of(sites, &Corner::around(hull, ghosts))
 }
 
 /// Two edges from end to end.
-fn path(sites: &[Site], rings: &mut Rings<'_>, mut vertices: [u32; 3]) -> Part {
+fn path(sites: &[Site], faces: &mut Faces<'_>, mut vertices: [u32; 3]) -> Part {
+    let ghosts = FACES_PER_VERTEX as u32 * vertices[0];
     let at = |vertex: u32| sites[vertex as usize].at();
     vertices.sort_unstable_by(|&a, &b| lexicographic(at(a), at(b)));
     let [a, b, c] = vertices;
-    let [ab, bc] = [rings.allocate(), rings.allocate()];
-    rings.put_alone(ab, a);
-    rings.put_alone(ab ^ 1, b);
-    rings.put_after(bc, ab ^ 1, b);
-    rings.put_alone(bc ^ 1, c);
-    let corner = |vertex, out| Corner { vertex, out };
-    Part::of(sites, &[corner(a, ab), corner(c, bc ^ 1)])
+    let hull = [a, b, c, b];
+    faces.surround(ghosts, hull);
+    for [there, back] in [[0, 3], [1, 2]] {
+        faces.glue(edge_of(ghosts + there), edge_of(ghosts + back));
+    }
+    let [a, _, c, _] = Corner::around(hull, ghosts);
+    Part::of(sites, &[a, c])
 }

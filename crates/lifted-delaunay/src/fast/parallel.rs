@@ -7,11 +7,11 @@
 //! The first halvings and their merges are done by one thread.
 
 use super::asking::Filtered;
+use super::faces::{Faces, TRIPLES_PER_VERTEX, Triple};
 use super::halving::{self, Extent};
 use super::part::Part;
-use super::rings::{HALVES_PER_VERTEX, Half, NONE, Rings, Room};
 use super::site::{Site, Sited};
-use super::{Conquest, room_for_edges};
+use super::{Conquest, room_for_faces};
 use geometry_core::triangulation::order::{Dealt, Keys};
 use geometry_core::{HullError, Points, Triangulation};
 use rayon::prelude::*;
@@ -19,7 +19,7 @@ use rayon::prelude::*;
 /// Sets of fewer sites are not divided among threads.
 const FEW: usize = 10_000;
 
-/// The edges are searched for triangles, and these are sorted, in so many shares a thread.
+/// The faces are searched for triangles, and these are sorted, in so many shares a thread.
 const SHARES: usize = 4;
 
 /// [`fast_delaunay`](super::fast_delaunay) on the threads of the current rayon pool: the same value.
@@ -40,29 +40,24 @@ const SHARES: usize = 4;
 /// # Ok::<(), geometry_core::HullError>(())
 /// ```
 pub fn fast_delaunay_parallel(points: Points<'_, 2>) -> Result<Triangulation, HullError> {
-    let mut halves = room_for_edges(points)?;
+    let mut triples = room_for_faces(points)?;
     let places = points.as_slice().par_iter().zip(0..points.len() as u32);
     let mut sites: Vec<Site> = places.map(|(&at, id)| Site::new(at, id)).collect();
     let forks = rayon::current_num_threads().next_power_of_two().ilog2();
-    let (whole, room) = solve(&mut sites, &mut halves, Filtered::new(points), forks);
-    let Some(out) = whole.map(|part| part.first[0].out).filter(|&e| e != NONE) else {
-        return Ok(Triangulation::default());
-    };
-    let mut rings = Rings::new(&mut halves, room);
-    rings.mark_outside(out);
+    solve(&mut sites, &mut triples, Filtered::new(points), forks);
     let names: Vec<u32> = sites.par_iter().map(Sited::id).collect();
-    let edges = rings.finished();
-    let share = edges.len().div_ceil(SHARES * rayon::current_num_threads()) + 1;
-    let mut triangles = vec![[0; 3]; edges.len() + edges.len() / share + 1];
     drop(sites);
-    let shares = triangles.par_chunks_mut(share + 1).enumerate();
+    let faces = Faces::new(&mut triples);
+    let share = faces.len().div_ceil(SHARES * rayon::current_num_threads()) + 1;
+    let mut triangles = vec![[0; 3]; faces.len()];
+    let shares = triangles.par_chunks_mut(share).enumerate();
     let found: Vec<usize> = shares
         .map(|(i, room)| {
-            let places = i * share..edges.len().min((i + 1) * share);
-            edges.triangles(places, &names, room)
+            let places = i * share..i * share + room.len();
+            faces.triangles(places, &names, room)
         })
         .collect();
-    Ok(in_order(triangles, share + 1, &found, halves))
+    Ok(in_order(triangles, share, &found, triples))
 }
 
 /// The triangulation with the first `found[i]` triangles of each share of so many places, sorted in `room`.
@@ -95,40 +90,36 @@ fn in_order(
     Triangulation::from_canonical(triangles)
 }
 
-/// The part of all of `sites`, and what room is left among their `halves`, after so many more forks.
+/// The part of all of `sites`, after so many more forks.
 fn solve(
     sites: &mut [Site],
-    halves: &mut [Half],
+    triples: &mut [Triple],
     mut filtered: Filtered,
     forks: u32,
-) -> (Option<Part>, Room) {
-    let room = Room::all(halves);
+) -> Option<Part> {
     let extent = Extent::of(sites.iter().map(Sited::at));
     if forks == 0 || sites.len() < FEW || extent.is_point() {
         let mut conquest = Conquest {
             sites,
-            rings: Rings::new(halves, room),
+            faces: Faces::new(triples),
             asking: &mut filtered,
         };
-        let part = conquest.solve(0, conquest.sites.len());
-        return (part, conquest.rings.into_room());
+        return conquest.solve(0, conquest.sites.len());
     }
     let (first, across) = halving::halve(sites, &extent);
     let (near, far) = sites.split_at_mut(first);
-    let base = HALVES_PER_VERTEX * first;
-    let (near_halves, far_halves) = halves.split_at_mut(base);
-    let ((left, left_room), (right, right_room)) = rayon::join(
-        || solve(near, near_halves, filtered, forks - 1),
-        || solve(far, far_halves, filtered, forks - 1),
+    let (near_triples, far_triples) = triples.split_at_mut(TRIPLES_PER_VERTEX * first);
+    let (left, right) = rayon::join(
+        || solve(near, near_triples, filtered, forks - 1),
+        || solve(far, far_triples, filtered, forks - 1),
     );
-    let mut rings = Rings::new(halves, left_room);
-    rings.adopt(base, first as u32, right_room);
-    let right = right.map(|part| part.moved(first as u32, base as u32));
+    let mut faces = Faces::new(triples);
+    faces.adopt(first);
+    let right = right.map(|part| part.moved(first as u32));
     let mut conquest = Conquest {
         sites,
-        rings,
+        faces,
         asking: &mut filtered,
     };
-    let part = conquest.join(left, right, across);
-    (part, conquest.rings.into_room())
+    conquest.join(left, right, first, across)
 }

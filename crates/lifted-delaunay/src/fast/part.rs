@@ -3,16 +3,16 @@
 //! ```text
 //!                 last by y
 //!             .---*-----.
-//!            /           '*  last by x          each with the edge of the hull that
-//!  first    *             |                     leaves it anticlockwise
+//!            /           '*  last by x          each with the edge to the outside in the
+//!  first    *             |                     ghost of the edge that leaves it anticlockwise
 //!   by x     '.____*_____.'
 //!              first by y
 //! ```
 //!
-//! Extremes, with ties broken by the other coordinate, are corners: the hull turns there. So the outside is seen
-//! through one gap in the ring around each, also where all points are collinear.
+//! Extremes, with ties broken by the other coordinate, are corners: the hull turns there. So it passes each once, also where all
+//! points are collinear.
 
-use super::rings::NONE;
+use super::faces::{EDGES_PER_FACE, FACES_PER_VERTEX, NONE, edge_of, next};
 use super::site::{Site, Sited};
 
 /// The axis across which a set is divided.
@@ -24,12 +24,25 @@ pub(super) enum Across {
     Y = 1,
 }
 
-/// A vertex of the hull, and the edge of the hull that leaves it anticlockwise: the outside is on its right. There is
-/// no edge, [`NONE`], if there is no other vertex.
+/// A vertex of the hull, and the edge from it to the outside in the ghost of the edge of the hull that leaves it anticlockwise.
+/// There is none, [`NONE`], if there is no other vertex.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     pub(super) vertex: u32,
     pub(super) out: u32,
+}
+
+impl Corner {
+    /// Those of a hull whose [ghosts](super::faces::Faces::surround) begin at this face.
+    #[inline(always)]
+    pub(super) fn around<const N: usize>(hull: [u32; N], ghosts: u32) -> [Self; N] {
+        let mut out = next(edge_of(ghosts));
+        hull.map(|vertex| {
+            let corner = Self { vertex, out };
+            out += EDGES_PER_FACE;
+            corner
+        })
+    }
 }
 
 /// The extremes.
@@ -90,18 +103,18 @@ impl Part {
         joined
     }
 
-    /// The same part, its vertices and edges renumbered.
-    pub(super) fn moved(mut self, vertices: u32, edges: u32) -> Self {
+    /// The same part, [adopted](super::faces::Faces::adopt) by those of the vertices up to `first`.
+    pub(super) fn moved(mut self, first: u32) -> Self {
         for corner in self.first.iter_mut().chain(&mut self.last) {
-            corner.vertex += vertices;
+            corner.vertex += first;
             if corner.out != NONE {
-                corner.out += edges;
+                corner.out += edge_of(FACES_PER_VERTEX as u32 * first);
             }
         }
         self
     }
 
-    /// Notes that the edge of the hull that leaves `vertex` is now `out`.
+    /// Notes that the edge from `vertex` to the outside is now `out`.
     #[inline(always)]
     pub(super) fn turn(&mut self, vertex: u32, out: u32) {
         for corner in self.first.iter_mut().chain(&mut self.last) {

@@ -38,7 +38,7 @@ impl<'a> Sample<'a> {
             return self;
         }
         // An odd step: in a lattice, row by row, runs begin in every column.
-        let step = self.step * share | 1;
+        let step = (self.step * share) | 1;
         Self { step, ..self }
     }
 
