@@ -10,7 +10,7 @@ use super::asking::Filtered;
 use super::faces::{Faces, TRIPLES_PER_VERTEX, Triple};
 use super::halving::{self, Extent};
 use super::part::Part;
-use super::site::{Site, Sited};
+use super::site::{Site, Sited, room_for_triangles};
 use super::{Conquest, room_for_faces};
 use geometry_core::triangulation::order::{Dealt, Keys};
 use geometry_core::{HullError, Points, Triangulation};
@@ -46,10 +46,9 @@ pub fn fast_delaunay_parallel(points: Points<'_, 2>) -> Result<Triangulation, Hu
     let forks = rayon::current_num_threads().next_power_of_two().ilog2();
     solve(&mut sites, &mut triples, Filtered::new(points), forks);
     let names: Vec<u32> = sites.par_iter().map(Sited::id).collect();
-    drop(sites);
     let faces = Faces::new(&mut triples);
     let share = faces.len().div_ceil(SHARES * rayon::current_num_threads()) + 1;
-    let mut triangles = vec![[0; 3]; faces.len()];
+    let triangles = room_for_triangles(&mut sites);
     let shares = triangles.par_chunks_mut(share).enumerate();
     let found: Vec<usize> = shares
         .map(|(i, room)| {
@@ -60,34 +59,34 @@ pub fn fast_delaunay_parallel(points: Points<'_, 2>) -> Result<Triangulation, Hu
     Ok(in_order(triangles, share, &found, triples))
 }
 
-/// The triangulation with the first `found[i]` triangles of each share of so many places, sorted in `room`.
+/// The triangulation with the first `found[i]` triangles of each share of so many places, sorted in `room`, which is twice as
+/// long.
 fn in_order(
-    mut triangles: Vec<[u32; 3]>,
+    triangles: &[Triple],
     share: usize,
     found: &[usize],
-    mut room: Vec<[u32; 3]>,
+    mut room: Vec<Triple>,
 ) -> Triangulation {
     let all = || triangles.par_chunks(share).zip(found);
-    let largest_of = |(part, &found): (&[[u32; 3]], &usize)| {
-        part[..found].iter().map(|corners| corners[0]).max()
-    };
+    let largest_of =
+        |(part, &found): (&[Triple], &usize)| part[..found].iter().map(|corners| corners[0]).max();
     let largest = all().filter_map(largest_of).max().unwrap_or(0);
     let count = found.iter().sum();
     let Some(keys) = Keys::up_to(largest, count) else {
         let parts: Vec<_> = all().map(|(part, &found)| &part[..found]).collect();
         return Triangulation::new(parts.concat());
     };
-    let rooms = room.par_chunks_mut(share);
+    let (sorted, others) = room.split_at_mut(triangles.len());
     let dealt: Vec<Dealt> = all()
-        .zip(rooms)
+        .zip(others.par_chunks_mut(share))
         .map(|((part, &found), room)| Dealt::of(&part[..found], keys, &mut room[..found]))
         .collect();
-    triangles.truncate(count);
-    let ranges = keys.ranges_of(&dealt, &mut triangles);
-    ranges
+    keys.ranges_of(&dealt, &mut sorted[..count])
         .into_par_iter()
         .for_each(|(range, sorted)| keys.sort_range(range, &dealt, sorted));
-    Triangulation::from_canonical(triangles)
+    room.truncate(count);
+    room.shrink_to_fit();
+    Triangulation::from_canonical(room)
 }
 
 /// The part of all of `sites`, after so many more forks.
