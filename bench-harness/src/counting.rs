@@ -1,7 +1,8 @@
 //! A registered method run once more with every question counted and every step tallied.
 
 use geometry_core::{
-    Boundary, Counted, Exact, HullError, Points, QuestionCounts, StageCounts, Tally, Task,
+    Boundary, Counted, Exact, HullError, Point2, Point3, Points, QuestionCounts, StageCounts,
+    Tally, Task, method::Delaunay,
 };
 use std::collections::BTreeMap;
 
@@ -42,22 +43,45 @@ impl PointSet {
 ///
 /// Those of the method.
 pub(crate) fn count(task: Task, points: &PointSet) -> Result<Option<Counters>, HullError> {
-    let kernel = Counted::new(Exact);
-    let mut tally = Tally::default();
-    match (task, points) {
-        (Task::PlanarHull(hull), PointSet::Plane(points)) => {
-            let points = Points::new(points)?;
-            (hull.tallied)(points, Boundary::Extreme, &kernel, &mut tally)?;
-        }
-        (Task::PlanarLayers(layers), PointSet::Plane(points)) => {
-            let points = Points::new(points)?;
-            (layers.tallied)(points, Boundary::Extreme, &kernel, &mut tally)?;
-        }
-        (Task::SpatialHull(hull), PointSet::Space(points)) => {
-            (hull.tallied)(Points::new(points)?, &kernel, &mut tally)?;
-        }
-        _ => return Ok(None),
+    match points {
+        PointSet::Plane(points) => count_in_plane(task, points, Boundary::Extreme),
+        PointSet::Space(points) => count_in_space(task, points),
     }
+}
+
+/// [`count`], of points of the plane.
+pub(crate) fn count_in_plane(
+    task: Task,
+    points: &[Point2],
+    boundary: Boundary,
+) -> Result<Option<Counters>, HullError> {
+    let points = Points::new(points)?;
+    let (kernel, mut tally) = (Counted::new(Exact), Tally::default());
+    let asked = match task {
+        Task::PlanarHull(hull) => {
+            (hull.tallied)(points, boundary, &kernel, &mut tally)?;
+            kernel.counts()
+        }
+        Task::PlanarLayers(layers) => {
+            (layers.tallied)(points, boundary, &kernel, &mut tally)?;
+            kernel.counts()
+        }
+        Task::Delaunay(Delaunay {
+            counted: Some(counted),
+            ..
+        }) => counted(points)?.1,
+        _ => return Ok(None),
+    };
+    Ok(Some(counters(&asked, &tally)))
+}
+
+/// [`count`], of points of space.
+pub(crate) fn count_in_space(task: Task, points: &[Point3]) -> Result<Option<Counters>, HullError> {
+    let Task::SpatialHull(hull) = task else {
+        return Ok(None);
+    };
+    let (kernel, mut tally) = (Counted::new(Exact), Tally::default());
+    (hull.tallied)(Points::new(points)?, &kernel, &mut tally)?;
     Ok(Some(counters(&kernel.counts(), &tally)))
 }
 

@@ -8,10 +8,8 @@ use super::answer::Answer;
 use super::meter::{Peak, clock_resolution};
 use super::protocol::{Counters, Load, PROTOCOL, Problem, Receipt, Run};
 use super::server::Engine;
-use crate::counting::counters;
-use geometry_core::{
-    Boundary, Counted, Exact, HullError, Method, Point2, Point3, Points, Tally, Task,
-};
+use crate::counting::{self, count_in_plane, count_in_space};
+use geometry_core::{Boundary, HullError, Method, Point2, Point3, Points, Task};
 use std::collections::BTreeMap;
 use std::hint::black_box;
 use std::time::Instant;
@@ -73,24 +71,12 @@ impl Own {
 
     /// Runs the method once more on each set with every question and every step counted.
     fn count(&self) -> Result<BTreeMap<String, u64>, String> {
-        match (self.method.task, self.batch()?) {
-            (Task::PlanarHull(task), Batch::Plane(sets, boundary)) => {
-                count(sets, |points, kernel, tally| {
-                    (task.tallied)(points, *boundary, kernel, tally).map(drop)
-                })
+        let task = self.method.task;
+        match self.batch()? {
+            Batch::Plane(sets, boundary) => {
+                summed(sets, |set| count_in_plane(task, set, *boundary))
             }
-            (Task::PlanarLayers(task), Batch::Plane(sets, boundary)) => {
-                count(sets, |points, kernel, tally| {
-                    (task.tallied)(points, *boundary, kernel, tally).map(drop)
-                })
-            }
-            (Task::SpatialHull(task), Batch::Space(sets)) => {
-                count(sets, |points, kernel, tally| {
-                    (task.tallied)(points, kernel, tally).map(drop)
-                })
-            }
-            // A triangulation has no counted instance.
-            _ => Ok(BTreeMap::new()),
+            Batch::Space(sets) => summed(sets, |set| count_in_space(task, set)),
         }
     }
 }
@@ -195,16 +181,14 @@ where
     })
 }
 
-/// What `call` asks and does, summed over the sets.
-fn count<const D: usize>(
+/// What is counted of each set, summed.
+fn summed<const D: usize>(
     sets: &[Vec<[f64; D]>],
-    call: impl Fn(Points<'_, D>, &Counted<Exact>, &mut Tally) -> Result<(), HullError>,
+    count: impl Fn(&[[f64; D]]) -> Result<Option<counting::Counters>, HullError>,
 ) -> Result<BTreeMap<String, u64>, String> {
     let mut sums = BTreeMap::new();
     for set in sets {
-        let (kernel, mut tally) = (Counted::new(Exact), Tally::default());
-        call(Points::new(set).map_err(refusal)?, &kernel, &mut tally).map_err(refusal)?;
-        for (name, count) in counters(&kernel.counts(), &tally) {
+        for (name, count) in count(set).map_err(refusal)?.unwrap_or_default() {
             *sums.entry(name.to_owned()).or_default() += count;
         }
     }

@@ -1,7 +1,8 @@
 //! Delaunay triangulations: where lifting meets the hull methods.
 
 use geometry_core::{
-    Exact, HullError, Lifted, Method, Points, Silent, Tally, Task, Triangulation, delaunay_task,
+    Counted, Exact, HullError, InCircle, Kernel2, Lifted, Method, Points, QuestionCounts, Silent,
+    Tally, Task, Triangulation, delaunay_task,
 };
 use lifted_delaunay::{delaunay_with, fast_delaunay};
 
@@ -14,7 +15,7 @@ pub(crate) const METHODS: &[Method] = &[Method {
                Geometry 1, 25-44, 1986",
     departures: lifted_delaunay::DEPARTURES,
     cost: "O(n log n), that of preparata-hong-3d for n extreme points",
-    task: delaunay_task!(lifted),
+    task: delaunay_task!(lifted, lifted_counted),
 }];
 
 /// The Delaunay triangulation of `points`.
@@ -45,7 +46,20 @@ pub fn delaunay(points: &[[f64; 2]]) -> Result<Triangulation, HullError> {
 /// questions when all points are extreme, about 39 a point at ten thousand points, where `incremental-conflict` asks 157
 /// and the quickhulls need comparisons of heights besides, which have no fast filter on the paraboloid.
 fn lifted(points: Points<'_, 2>) -> Result<Triangulation, HullError> {
-    delaunay_with(points, &Lifted(Exact), |lifted, kernel| {
+    lifted_with(points, Exact)
+}
+
+fn lifted_counted(points: Points<'_, 2>) -> Result<(Triangulation, QuestionCounts), HullError> {
+    let kernel = Counted::new(Exact);
+    let triangulation = lifted_with(points, &kernel)?;
+    Ok((triangulation, kernel.counts()))
+}
+
+fn lifted_with(
+    points: Points<'_, 2>,
+    kernel: impl Kernel2 + InCircle,
+) -> Result<Triangulation, HullError> {
+    delaunay_with(points, &Lifted(kernel), |lifted, kernel| {
         divide_and_conquer::preparata_hong_3d(lifted, kernel, &mut Silent)
     })
 }

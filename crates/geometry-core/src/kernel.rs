@@ -141,6 +141,13 @@ pub trait InCircle {
     }
 }
 
+impl<K: InCircle + ?Sized> InCircle for &K {
+    #[inline(always)]
+    fn in_circle_staged(&self, a: Point2, b: Point2, c: Point2, d: Point2) -> (Sign, Stage) {
+        (**self).in_circle_staged(a, b, c, d)
+    }
+}
+
 impl<K: Kernel2 + ?Sized> Kernel2 for &K {
     #[inline(always)]
     fn orient_staged(&self, a: Point2, b: Point2, c: Point2) -> (Sign, Stage) {

@@ -3,6 +3,7 @@
 //! Lists, tables, tests, traces and documentation iterate over entries; a new algorithm is one file and one
 //! entry in its crate's `METHODS`.
 
+use crate::QuestionCounts;
 use crate::error::HullError;
 use crate::hull2::{Boundary, Hull2};
 use crate::hull3::Hull3;
@@ -83,7 +84,12 @@ pub struct Delaunay {
     pub unseen: fn(&[[f64; 2]]) -> Result<Triangulation, HullError>,
     /// With the exact kernel, unobserved.
     pub exact: fn(Points<'_, 2>) -> Result<Triangulation, HullError>,
+    /// With the exact kernel, questions counted; none if the method has no such instance.
+    pub counted: Option<CountedDelaunay>,
 }
+
+/// A Delaunay method that counts what it asks.
+pub type CountedDelaunay = fn(Points<'_, 2>) -> Result<(Triangulation, QuestionCounts), HullError>;
 
 /// The [`Task`] of a generic function
 /// `fn<K: Kernel2, O: Observer>(Points<'_, 2>, Boundary, &K, &mut O) -> Result<R, HullError>`:
@@ -133,13 +139,21 @@ macro_rules! spatial_task {
     };
 }
 
-/// The [`Task`] of a function `fn(Points<'_, 2>) -> Result<Triangulation, HullError>`.
+/// The [`Task`] of a function `fn(Points<'_, 2>) -> Result<Triangulation, HullError>`; a second argument is a
+/// [`CountedDelaunay`] that asks the same.
 #[macro_export]
 macro_rules! delaunay_task {
     ($function:path) => {
+        $crate::delaunay_task!(@ $function, None)
+    };
+    ($function:path, $counted:path) => {
+        $crate::delaunay_task!(@ $function, Some($counted))
+    };
+    (@ $function:path, $counted:expr) => {
         $crate::method::Task::Delaunay($crate::method::Delaunay {
             unseen: |points| $function($crate::Points::new(points)?),
             exact: $function,
+            counted: $counted,
         })
     };
 }

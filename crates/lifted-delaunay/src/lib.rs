@@ -70,7 +70,7 @@ pub const METHODS: &[Method] = &[
         citation: GUIBAS_STOLFI,
         departures: fast::DEPARTURES,
         cost: "O(n log n)",
-        task: delaunay_task!(fast_delaunay),
+        task: delaunay_task!(fast_delaunay, fast_delaunay_counted),
     },
     Method {
         slug: "fast-delaunay-parallel",
