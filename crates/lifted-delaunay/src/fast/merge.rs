@@ -25,8 +25,9 @@
 //! 3. If t makes the triangle, a candidate s on the other end remains one, above the new edge across, from l to t. For where s
 //!    is not to the left of l t, it lies in the triangle, and so in its circle, unless the segments l s and r t cross; but each
 //!    lies in the hull of its own part, and these have no point in common. So it is not looked up and not asked about again.
-//! 4. Every ghost that a flip makes becomes a triangle before the end: its corners are on the way of the edge across. So the ghosts
-//!    that are left are those of the union's hull, and those known from before are where they were.
+//! 4. Flips are made between the tangents, on the side of a part that faces the other, and the edge across passes all of that side
+//!    on its way up: every ghost there becomes a triangle. The ghosts left are those of the union's hull, and but for the two new
+//!    ones no flip has touched them: so those noted with the extremes of a part are where they were.
 
 use super::asking::Asking;
 use super::faces::{EDGES_PER_FACE, FACES_PER_VERTEX, Faces, NONE, OUTSIDE, edge_of, next, prev};
