@@ -4,7 +4,9 @@
 //! 2. Each range, collected from all shares, is dealt into *stars*, the triangles with one first corner, and these few are sorted by
 //!    comparison.
 //!
-//! Two short steps rather than one long one: the places written to at any time stay in the cache.
+//! Two short steps rather than one long one: the places written to at any time stay in the cache. If there is only one range,
+//! step 1 deals by the second corners instead, so that stars are in order before they are sorted: without a jump that nothing
+//! could foresee.
 //!
 //! ```
 //! use geometry_core::triangulation::order::{Dealt, Keys};
@@ -84,6 +86,15 @@ impl Keys {
         sort_stars(sorted, &ends);
     }
 
+    /// The largest second corner, if the triangles are to be dealt by these.
+    fn second_corners_of(self, triangles: &[[u32; 3]]) -> Option<usize> {
+        if self.last_range() > 0 {
+            return None;
+        }
+        let largest = triangles.iter().map(|corners| corners[1]).max()? as usize;
+        (largest / MOST_GAPS <= triangles.len()).then_some(largest)
+    }
+
     fn last_range(self) -> usize {
         range_of(&[self.largest; 3])
     }
@@ -109,7 +120,13 @@ impl<'a> Dealt<'a> {
     /// If `room` is shorter, or a first corner is not among the keys.
     pub fn of(triangles: &[[u32; 3]], keys: Keys, room: &'a mut [[u32; 3]]) -> Self {
         let share = || std::iter::once(triangles);
-        let ends = place_by_key(share, room, keys.last_range(), range_of);
+        let ends = match keys.second_corners_of(triangles) {
+            Some(largest) => {
+                place_by_key(share, room, largest, |corners| corners[1] as usize);
+                vec![triangles.len() as u32]
+            }
+            None => place_by_key(share, room, keys.last_range(), range_of),
+        };
         Self {
             triangles: room,
             ends,
