@@ -13,6 +13,8 @@
 //! nothing is compared.
 
 use super::facets::Loops;
+use crate::triangulation::order::place_by_key;
+use std::iter::once;
 
 /// Of so many indices at most, triangles are dealt by both corners: two rows of counters fit the second cache.
 const SMALL: usize = 1 << 15;
@@ -50,7 +52,7 @@ fn sorted_triangles<I: Iterator<Item = [u32; 3]>>(
     triangles: impl Fn() -> I,
 ) -> Vec<[u32; 3]> {
     if count <= SMALL {
-        return dealt_twice(count, triangles);
+        return dealt_twice(count, triangles());
     }
     // The first corners of a pile differ in this many low bits.
     let low_bits = ((count as u32 / PILES).max(SMALLEST.min(count as u32)) + 1).ilog2() + 1;
@@ -62,7 +64,8 @@ fn sorted_triangles<I: Iterator<Item = [u32; 3]>>(
     for triangle in triangles() {
         let triangle = from_smallest(triangle);
         let place = &mut places[(triangle[0] >> low_bits) as usize];
-        put(triangle, place, &mut dealt);
+        dealt[*place as usize] = triangle;
+        *place += 1;
     }
     // Each place has moved from where its pile begins to where it ends.
     let mut copy = Vec::new();
@@ -75,37 +78,13 @@ fn sorted_triangles<I: Iterator<Item = [u32; 3]>>(
     dealt
 }
 
-/// Deals triangles into buckets by their second corner, and then, in that order, by their first: without a branch.
-fn dealt_twice<I: Iterator<Item = [u32; 3]>>(
-    count: usize,
-    triangles: impl Fn() -> I,
-) -> Vec<[u32; 3]> {
-    let mut places = [vec![0; count], vec![0; count]];
-    for triangle in triangles() {
-        let [first, second, _] = from_smallest(triangle);
-        places[0][first as usize] += 1;
-        places[1][second as usize] += 1;
-    }
-    let [by_first, by_second] = &mut places;
-    let total = add_up(by_second) as usize;
-    add_up(by_first);
-    let mut dealt = vec![[0; 3]; total];
-    for triangle in triangles() {
-        let triangle = from_smallest(triangle);
-        put(triangle, &mut by_second[triangle[1] as usize], &mut dealt);
-    }
-    let mut sorted = vec![[0; 3]; total];
-    for triangle in dealt {
-        put(triangle, &mut by_first[triangle[0] as usize], &mut sorted);
-    }
+/// Deals triangles by their second corner, and then, in that order, by their first: without a branch.
+fn dealt_twice(count: usize, triangles: impl Iterator<Item = [u32; 3]>) -> Vec<[u32; 3]> {
+    let mut sorted: Vec<[u32; 3]> = triangles.map(from_smallest).collect();
+    let mut dealt = vec![[0; 3]; sorted.len()];
+    place_by_key(|| once(&sorted[..]), &mut dealt, count, |t| t[1] as usize);
+    place_by_key(|| once(&dealt[..]), &mut sorted, count, |t| t[0] as usize);
     sorted
-}
-
-/// Puts a triangle at a place, which moves on.
-#[inline(always)]
-fn put(triangle: [u32; 3], place: &mut u32, dealt: &mut [[u32; 3]]) {
-    dealt[*place as usize] = triangle;
-    *place += 1;
 }
 
 /// Turns sizes into where each begins; returns the total.
@@ -138,8 +117,10 @@ fn sort_pile(pile: &mut [[u32; 3]], buckets: &mut [u32], copy: &mut Vec<[u32; 3]
     add_up(buckets);
     copy.clear();
     copy.extend_from_slice(pile);
-    for &triangle in &*copy {
-        put(triangle, &mut buckets[triangle[0] as usize & mask], pile);
+    for triangle in &*copy {
+        let place = &mut buckets[triangle[0] as usize & mask];
+        pile[*place as usize] = *triangle;
+        *place += 1;
     }
     if largest <= FEW {
         sort_by_insertion(pile);

@@ -143,7 +143,7 @@ impl<'a> Dealt<'a> {
 /// Copies triangles to `to` in the order of their keys, which are at most `largest`. Returns where the triangles of each key
 /// end.
 #[inline(always)]
-fn place_by_key<'f, I: Iterator<Item = &'f [[u32; 3]]>>(
+pub(crate) fn place_by_key<'f, I: Iterator<Item = &'f [[u32; 3]]>>(
     from: impl Fn() -> I,
     to: &mut [[u32; 3]],
     largest: usize,

@@ -51,25 +51,35 @@ pub(super) fn throw_away<P: Passes<O>, O: Observer>(
     let mut may_be_too_few = corners.len() < cascade::ENOUGH && points.len() >= MANY;
     while pays(before, kept.len(), &corners) || may_be_too_few {
         may_be_too_few = false;
-        corners = corners.refined(few_enough(kept.points()));
-        let Some(polygon) = Polygon::of(&corners) else {
+        before = kept.len();
+        let Some((_, refined)) = thin_by_more_corners::<P, O>(&corners, kept, observer) else {
             break;
         };
-        before = kept.len();
-        P::thin(kept, &polygon, observer);
+        corners = refined;
     }
     Left::Kept
 }
 
+/// Refines the corners by the points kept, and drops those in their polygon; none if that is out of range.
+fn thin_by_more_corners<P: Passes<O>, O: Observer>(
+    corners: &Corners,
+    kept: &mut Kept,
+    observer: &mut O,
+) -> Option<(Polygon, Corners)> {
+    let corners = corners.refined(few_enough(kept.points()));
+    let polygon = Polygon::of(&corners)?;
+    P::thin(kept, &polygon, observer);
+    Some((polygon, corners))
+}
+
 /// Refines the last polygon by the points kept, if that leaves few of them.
 fn improve<P: Passes<O>, O: Observer>(cascade: &mut Cascade, kept: &mut Kept, observer: &mut O) {
-    let corners = cascade.corners.refined(few_enough(kept.points()));
-    if let Some(polygon) = Polygon::of(&corners) {
-        let before = kept.len();
-        P::thin(kept, &polygon, observer);
-        if kept.len() < before - before / 4 {
-            cascade.improve(polygon, corners);
-        }
+    let before = kept.len();
+    let refined = thin_by_more_corners::<P, O>(&cascade.corners, kept, observer);
+    if let Some((polygon, corners)) = refined
+        && kept.len() < before - before / 4
+    {
+        cascade.improve(polygon, corners);
     }
 }
 
